@@ -24,6 +24,17 @@ typedef struct {
     const char *why; // the mistake's sentence; empty if there is none
 } Wrong;
 
+static const Exercise *exercise_of(const Wrong *wrong)
+{
+    return &exercises[wrong->kept->exercise];
+}
+
+// Which function the figure is about, the words below it, and why the answer is wrong.
+static void say(Plot *plot, const Wrong *wrong, BesideWords words)
+{
+    beside_below(plot, wrong->function, wrong->why, words);
+}
+
 // From low to high.
 typedef struct {
     double low, high;
@@ -61,12 +72,81 @@ static bool range_try(Range *range, double x)
 
 // ---- the t axis --------------------------------------------------------------------------------
 
+// The places of an answer: at most two; of a hit, also which sphere.
+typedef struct {
+    enum { DISTANCE, ROOTS, HIT } kind;
+    int count, sphere;
+    double t[2];
+} Places;
+
+static Places read_places(Numbers *numbers, const char *results)
+{
+    Roots roots = {0};
+    Hit hit = {0};
+    double t = NO_HIT;
+    if (strcmp(results, "Roots") == 0) {
+        NUMBERS_GET(numbers, Roots, roots);
+        return (Places){ROOTS, roots.count, -1, {roots.t[0], roots.t[1]}};
+    }
+    if (strcmp(results, "Hit") == 0) {
+        NUMBERS_GET(numbers, Hit, hit);
+        return (Places){HIT, hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
+    }
+    NUMBERS_GET(numbers, double, t);
+    return (Places){DISTANCE, t != NO_HIT, -1, {t, NO_HIT}};
+}
+
+static bool are_drawable(Places places)
+{
+    bool good = places.count >= 0 && places.count <= 2;
+    for (int i = 0; good && i < places.count; i++)
+        good = isfinite(places.t[i]);
+    return good;
+}
+
+// Those that are visible beside the others; t = 1 is 'unit' to the right.
+static Places shown(Places places, Range *x, double unit)
+{
+    Places some = {.kind = places.kind, .sphere = places.sphere};
+    for (int i = 0; i < places.count; i++)
+        if (range_try(x, places.t[i] * unit))
+            some.t[some.count++] = places.t[i];
+    return some;
+}
+
+static Text place_words(Places places, bool all_shown)
+{
+    Text text, first = number_text(places.t[0]);
+    const char *beyond = all_shown ? "" : " (not in the figure)";
+    if (places.count == 0)
+        snprintf(text.s, sizeof text.s, places.kind == ROOTS ? "no root" : "no hit");
+    else if (places.count == 2)
+        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", first.s,
+                 number_text(places.t[1]).s, beyond);
+    else if (places.kind == HIT)
+        snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere, first.s, beyond);
+    else
+        snprintf(text.s, sizeof text.s, "t = %.40s%s", first.s, beyond);
+    return text;
+}
+
+// seen: those of yours that are visible, as 'drawn' says.
+static void say_places(Plot *plot, const Wrong *wrong, Places right, Places yours, Places seen,
+                       const char *drawn)
+{
+    Text off = {""};
+    if (right.count == 1 && yours.count == 1 && isfinite(right.t[0]) && isfinite(yours.t[0]))
+        snprintf(off.s, sizeof off.s, "off by %.60s", number_text_to(yours.t[0] - right.t[0], 4).s);
+    say(plot, wrong,
+        (BesideWords){place_words(right, true).s, place_words(yours, seen.count == yours.count).s,
+                      off.s, seen.count > 0 ? drawn : ""});
+}
+
 // Results on a t axis: a flat figure, in which t = 1 is 'unit' to the right.
 typedef struct {
     double low, high; // of t
     double unit, y;
-    const double *right, *yours; // the results
-    int right_count, your_count;
+    Places right, yours;
 } Axis;
 
 // Between round numbers of t: at most eight of them.
@@ -79,10 +159,10 @@ static double stride_of(const Axis *axis)
     return step;
 }
 
-static bool is_taken(const double *t, int count, double tick, double stride)
+static bool is_taken(Places places, double tick, double stride)
 {
-    for (int i = 0; i < count; i++)
-        if (fabs(t[i] - tick) < 0.3 * stride)
+    for (int i = 0; i < places.count; i++)
+        if (fabs(places.t[i] - tick) < 0.3 * stride)
             return true;
     return false;
 }
@@ -99,8 +179,7 @@ static void axis_ticks(Plot *plot, const Axis *axis)
     plot_block(plot, "ticks", "x y z t");
     for (double n = ceil(axis->low / step); n * step <= axis->high; n++, row++) {
         axis_row(plot, axis, n * step);
-        if (is_taken(axis->right, axis->right_count, n * step, step) ||
-            is_taken(axis->yours, axis->your_count, n * step, step))
+        if (is_taken(axis->right, n * step, step) || is_taken(axis->yours, n * step, step))
             continue;
         char words[200];
         snprintf(words, sizeof words, "%s", number_text_to(n * step, 10).s);
@@ -110,12 +189,11 @@ static void axis_ticks(Plot *plot, const Axis *axis)
     plot_block_end(plot);
 }
 
-static void axis_marks(Plot *plot, const Axis *axis, const char *name, const double *t, int count,
-                       Label label)
+static void axis_marks(Plot *plot, const Axis *axis, const char *name, Places places, Label label)
 {
     plot_block(plot, name, "x y z t");
-    for (int i = 0; i < count; i++) {
-        axis_row(plot, axis, t[i]);
+    for (int i = 0; i < places.count; i++) {
+        axis_row(plot, axis, places.t[i]);
         label.block = name;
         label.row = i;
         plot_name(plot, label);
@@ -133,38 +211,20 @@ static void write_axis(Plot *plot, const Axis *axis)
     plot_fit(plot, begin, 0);
     plot_fit(plot, end, 0);
     plot_name(plot, (Label){"$t$", "grey", .block = "axis", .part = 1});
-    axis_marks(plot, axis, "answer", axis->right, axis->right_count,
-               (Label){"expected", "blue", .step = 1});
-    axis_marks(plot, axis, "yours", axis->yours, axis->your_count,
-               (Label){"yours", "ink", .step = 2});
+    axis_marks(plot, axis, "answer", axis->right, (Label){"expected", "blue", .step = 1});
+    axis_marks(plot, axis, "yours", axis->yours, (Label){"yours", "ink", .step = 2});
     axis_ticks(plot, axis);
-}
-
-// The difference of 3.2 and 3.6: "off by 0.4"; empty if one of them is missing.
-static Text off_text(double right, double yours)
-{
-    Text text = {""};
-    if (isfinite(right) && isfinite(yours))
-        snprintf(text.s, sizeof text.s, "off by %.60s", number_text_to(yours - right, 4).s);
-    return text;
 }
 
 // ---- rays and spheres --------------------------------------------------------------------------
 
 enum { MOST_SPHERES = 100, MOST_NAMES = 12 };
 
-// The places of an answer: at most two; and which sphere, if the exercise asks for it.
-typedef struct {
-    int count, sphere;
-    double t[2];
-} Places;
-
 static struct {
     Ray ray;
     int count;
     Sphere spheres[MOST_SPHERES];
     Places right, yours;
-    bool are_roots, has_index;
 } section;
 
 static void read_spheres(Numbers *question, bool whole_scene)
@@ -182,41 +242,13 @@ static void read_spheres(Numbers *question, bool whole_scene)
     numbers_free_value(&type_Scene, &scene);
 }
 
-static Places read_places(Numbers *numbers, const char *results)
-{
-    Places places = {0, -1, {NO_HIT, NO_HIT}};
-    Roots roots = {0};
-    Hit hit = {0};
-    if (strcmp(results, "Roots") == 0) {
-        NUMBERS_GET(numbers, Roots, roots);
-        places = (Places){roots.count, -1, {roots.t[0], roots.t[1]}};
-    } else if (strcmp(results, "Hit") == 0) {
-        NUMBERS_GET(numbers, Hit, hit);
-        places = (Places){hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
-    } else {
-        NUMBERS_GET(numbers, double, places.t[0]);
-        places.count = places.t[0] != NO_HIT;
-    }
-    return places;
-}
-
-static bool are_drawable(Places places)
-{
-    bool good = places.count >= 0 && places.count <= 2;
-    for (int i = 0; good && i < places.count; i++)
-        good = isfinite(places.t[i]);
-    return good;
-}
-
 static bool read_section(Wrong *wrong)
 {
-    const Exercise *types = &exercises[wrong->kept->exercise];
-    section.has_index = strcmp(types->results, "Hit") == 0;
-    section.are_roots = strcmp(types->results, "Roots") == 0;
+    const char *results = exercise_of(wrong)->results;
+    section.right = read_places(wrong->right, results);
+    section.yours = read_places(wrong->yours, results);
     NUMBERS_GET(wrong->question, Ray, section.ray);
-    read_spheres(wrong->question, section.has_index);
-    section.right = read_places(wrong->right, types->results);
-    section.yours = read_places(wrong->yours, types->results);
+    read_spheres(wrong->question, section.right.kind == HIT);
     return are_drawable(section.right) && are_drawable(section.yours) &&
            (section.right.count > 0 || section.yours.count > 0) &&
            vec3_length(section.ray.direction) > 0;
@@ -238,11 +270,10 @@ static void write_spheres(Plot *plot, Range *x, Range *y)
         plot_row(plot, 4, (const double[]){ahead, aside, r, i});
         plot_circle(plot, vec3_of(ahead, aside, 0), r);
         plot_fit(plot, vec3_of(ahead, aside, 0), r);
-        if (section.has_index && i < MOST_NAMES)
+        if (section.right.kind == HIT && i < MOST_NAMES)
             plot_name(plot, (Label){number_text(i).s, "grey", .place = vec3_of(ahead, aside, 0),
                                     .ball = r});
-        if (i == 0)
-            *x = (Range){ahead - r, ahead + r};
+        *x = i == 0 ? (Range){ahead - r, ahead + r} : *x;
         range_add(x, ahead - r);
         range_add(x, ahead + r);
         range_add(y, aside - r);
@@ -251,31 +282,13 @@ static void write_spheres(Plot *plot, Range *x, Range *y)
     plot_block_end(plot);
 }
 
-static Text place_words(Places places, bool all_shown)
+// From the axis to the ray.
+static void plot_lines_up(Plot *plot, const Axis *axis, Places places)
 {
-    Text text;
-    const char *beyond = all_shown ? "" : " (not in the figure)";
-    if (places.count == 0)
-        snprintf(text.s, sizeof text.s, section.are_roots ? "no root" : "no hit");
-    else if (places.count == 2)
-        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(places.t[0]).s,
-                 number_text(places.t[1]).s, beyond);
-    else if (section.has_index)
-        snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere,
-                 number_text(places.t[0]).s, beyond);
-    else
-        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(places.t[0]).s, beyond);
-    return text;
-}
-
-// Those that are visible beside the others.
-static Places shown(Places places, Range *x, double unit)
-{
-    Places some = {0, places.sphere, {0, 0}};
-    for (int i = 0; i < places.count; i++)
-        if (range_try(x, places.t[i] * unit))
-            some.t[some.count++] = places.t[i];
-    return some;
+    for (int i = 0; i < places.count; i++) {
+        double x = places.t[i] * axis->unit;
+        plot_line(plot, vec3_of(x, axis->y, 0), vec3_of(x, 0, 0), 0, 0);
+    }
 }
 
 static void write_section(Plot *plot, void *given)
@@ -301,22 +314,11 @@ static void write_section(Plot *plot, void *given)
     plot_name(plot, (Label){"$p$", "blue", .block = "p"});
     if (unit > 0.06 * wide)
         plot_name(plot, (Label){"$v$", "blue", .block = "v", .part = ANYWHERE});
-    Axis axis = {low / unit, high / unit, unit,        y.low - 0.09 * wide,
-                 right.t,    seen.t,      right.count, seen.count};
+    Axis axis = {low / unit, high / unit, unit, y.low - 0.09 * wide, right, seen};
     write_axis(plot, &axis);
-    for (int i = 0; i < right.count; i++)
-        plot_line(plot, vec3_of(right.t[i] * unit, axis.y, 0), vec3_of(right.t[i] * unit, 0, 0), 0,
-                  0);
-    for (int i = 0; i < seen.count; i++)
-        plot_line(plot, vec3_of(seen.t[i] * unit, axis.y, 0), vec3_of(seen.t[i] * unit, 0, 0), 0,
-                  0);
-    Text off = {""};
-    if (right.count == 1 && yours.count == 1)
-        off = off_text(right.t[0], yours.t[0]);
-    beside_below(plot, wrong->function, wrong->why,
-                 (BesideWords){place_words(right, true).s,
-                               place_words(yours, seen.count == yours.count).s, off.s,
-                               seen.count > 0 ? "dashed" : ""});
+    plot_lines_up(plot, &axis, right);
+    plot_lines_up(plot, &axis, seen);
+    say_places(plot, wrong, right, yours, seen, "dashed");
 }
 
 // ---- the parabola of a quadratic, and its roots on the t axis ----------------------------------
@@ -326,7 +328,7 @@ enum { SAMPLES = 120 };
 static struct {
     bool are_roots; // the equation is given; else it is the answer
     Quadratic right, yours;
-    Roots right_roots, your_roots;
+    Places right_roots, your_roots;
 } equation;
 
 static double value(Quadratic q, double t)
@@ -339,24 +341,17 @@ static bool is_finite(Quadratic q)
     return isfinite(q.a) && isfinite(q.b) && isfinite(q.c);
 }
 
-static bool are_finite(Roots roots)
-{
-    bool good = roots.count >= 0 && roots.count <= 2;
-    for (int i = 0; good && i < roots.count; i++)
-        good = isfinite(roots.t[i]);
-    return good;
-}
-
 static bool read_equation(Wrong *wrong)
 {
-    equation.are_roots = strcmp(exercises[wrong->kept->exercise].results, "Roots") == 0;
-    equation.right_roots = equation.your_roots = (Roots){0};
+    const char *results = exercise_of(wrong)->results;
+    equation.are_roots = strcmp(results, "Roots") == 0;
+    equation.right_roots = equation.your_roots = (Places){0};
     if (equation.are_roots) {
         NUMBERS_GET(wrong->question, Quadratic, equation.right);
         equation.yours = equation.right;
-        NUMBERS_GET(wrong->right, Roots, equation.right_roots);
-        NUMBERS_GET(wrong->yours, Roots, equation.your_roots);
-        return are_finite(equation.your_roots) && is_finite(equation.right) &&
+        equation.right_roots = read_places(wrong->right, results);
+        equation.your_roots = read_places(wrong->yours, results);
+        return are_drawable(equation.your_roots) && is_finite(equation.right) &&
                (equation.right.a != 0 || equation.right.b != 0);
     }
     NUMBERS_GET(wrong->right, Quadratic, equation.right);
@@ -379,7 +374,7 @@ static double turning_point(Quadratic q)
 }
 
 // As far to both sides as the curve needs to return to 0 and go on as far again.
-static Range range_of(Quadratic q, Roots roots)
+static Range range_of(Quadratic q, Places roots)
 {
     if (q.a == 0) {
         double root = roots.count > 0 ? roots.t[0] : 0, aside = fmax(1, fabs(root));
@@ -430,35 +425,12 @@ static Text quadratic_words(Quadratic q)
     return text;
 }
 
-static Text root_words(Roots roots, bool all_shown)
-{
-    Text text;
-    const char *beyond = all_shown ? "" : " (not in the figure)";
-    if (roots.count == 0)
-        snprintf(text.s, sizeof text.s, "no root");
-    else if (roots.count == 1)
-        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(roots.t[0]).s, beyond);
-    else
-        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(roots.t[0]).s,
-                 number_text(roots.t[1]).s, beyond);
-    return text;
-}
-
-static Roots shown_roots(Roots roots, Range *t)
-{
-    Roots some = {0};
-    for (int i = 0; i < roots.count; i++)
-        if (range_try(t, roots.t[i]))
-            some.t[some.count++] = roots.t[i];
-    return some;
-}
-
 static void write_equation(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
     Range t = range_of(equation.right, equation.right_roots), f = {0, 0};
     add_values(&f, equation.right, t);
-    Roots yours = equation.your_roots, seen = shown_roots(yours, &t);
+    Places yours = equation.your_roots, seen = shown(yours, &t, 1);
     if (!equation.are_roots && equation.yours.a != 0) {
         Range other = range_of(equation.yours, yours);
         if (range_try(&t, other.low) && range_try(&t, other.high))
@@ -480,28 +452,52 @@ static void write_equation(Plot *plot, void *given)
             plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "your_curve",
                                     .row = your_rows * 5 / 6, .part = ANYWHERE});
     }
-    Axis axis = {
-        t.low,     t.high, 1, 0, equation.right_roots.t, seen.t, equation.right_roots.count,
-        seen.count};
-    write_axis(plot, &axis);
+    write_axis(plot, &(Axis){t.low, t.high, 1, 0, equation.right_roots, seen});
     if (equation.are_roots)
-        beside_below(plot, wrong->function, wrong->why,
-                     (BesideWords){root_words(equation.right_roots, true).s,
-                                   root_words(yours, seen.count == yours.count).s, "",
-                                   seen.count > 0 ? "as rings" : ""});
+        say_places(plot, wrong, equation.right_roots, yours, seen, "as rings");
     else
-        beside_below(plot, wrong->function, wrong->why,
-                     (BesideWords){quadratic_words(equation.right).s,
-                                   quadratic_words(equation.yours).s, "", "dashed"});
+        say(plot, wrong,
+            (BesideWords){quadratic_words(equation.right).s, quadratic_words(equation.yours).s, "",
+                          "dashed"});
 }
 
 // ---- places on the screen and in the unit square ------------------------------------------------
 
-// A rectangle of this width and height; y or t down, or up.
+// A rectangle of the screen, where y counts down, or the unit square, where t counts up. A place as
+// it is drawn, and $NAME: its corners, from the left and the top, or the bottom, on.
 typedef struct {
-    double left, bottom, width, height; // bottom: the lower number
+    ScreenRectangle box;
     bool is_screen;
 } Panel;
+
+static vec3 drawn(Panel panel, const double place[2])
+{
+    return vec3_of(place[0], panel.is_screen ? -place[1] : place[1], 0);
+}
+
+static void write_panel(Plot *plot, const char *name, Panel panel)
+{
+    ScreenRectangle box = panel.box;
+    const double corners[5][2] = {{box.left, box.top},
+                                  {box.right, box.top},
+                                  {box.right, box.bottom},
+                                  {box.left, box.bottom},
+                                  {box.left, box.top}};
+    plot_block(plot, name, "x y z of the corners");
+    for (int i = 0; i < 5; i++) {
+        plot_row_point(plot, drawn(panel, corners[i]));
+        plot_fit(plot, drawn(panel, corners[i]), 0);
+    }
+    plot_block_end(plot);
+}
+
+// Where it begins and ends, in words.
+static void name_panel(Plot *plot, const char *name, Panel panel)
+{
+    ScreenRectangle box = panel.box;
+    plot_name(plot, (Label){pair_text(box.left, box.top).s, "grey", .block = name, .row = 0});
+    plot_name(plot, (Label){pair_text(box.right, box.bottom).s, "grey", .block = name, .row = 2});
+}
 
 static struct {
     bool has_given;
@@ -509,14 +505,11 @@ static struct {
     Panel from, into;
 } places;
 
-static Panel unit_square(void)
-{
-    return (Panel){0, 0, 1, 1, false};
-}
+static const Panel unit_square = {{0, 1, 0, 1}, false};
 
 static Panel whole_screen(Resolution screen)
 {
-    return (Panel){0, 0, screen.width, screen.height, true};
+    return (Panel){{0, screen.width, 0, screen.height}, true};
 }
 
 static void get_pair(Numbers *numbers, double pair[2])
@@ -527,7 +520,7 @@ static void get_pair(Numbers *numbers, double pair[2])
 
 static bool read_place(Wrong *wrong)
 {
-    const Exercise *types = &exercises[wrong->kept->exercise];
+    const Exercise *types = exercise_of(wrong);
     Resolution screen = {1, 1};
     Pixel pixel = {0, 0};
     places.has_given = strcmp(types->arguments, "Pixel") != 0;
@@ -535,26 +528,21 @@ static bool read_place(Wrong *wrong)
         get_pair(wrong->question, places.given);
         NUMBERS_GET(wrong->question, Resolution, screen);
         bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
-        places.from = to_screen ? unit_square() : whole_screen(screen);
-        places.into = to_screen ? whole_screen(screen) : unit_square();
+        places.from = to_screen ? unit_square : whole_screen(screen);
+        places.into = to_screen ? whole_screen(screen) : unit_square;
     } else {
         NUMBERS_GET(wrong->question, Pixel, pixel);
-        places.from = places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
+        places.from = places.into =
+            (Panel){{pixel.column, pixel.column + 1, pixel.row, pixel.row + 1}, true};
         memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
     }
     get_pair(wrong->right, places.right);
     get_pair(wrong->yours, places.yours);
-    Range x = {places.into.left, places.into.left + places.into.width};
-    Range y = {places.into.bottom, places.into.bottom + places.into.height};
+    Range x = {places.into.box.left, places.into.box.right};
+    Range y = {places.into.box.top, places.into.box.bottom};
     range_add(&x, places.right[0]);
     range_add(&y, places.right[1]);
     return range_try(&x, places.yours[0]) && range_try(&y, places.yours[1]);
-}
-
-// As it is drawn: the screen's y counts down.
-static vec3 drawn(Panel panel, const double place[2])
-{
-    return vec3_of(place[0], panel.is_screen ? -place[1] : place[1], 0);
 }
 
 static void write_dot(Plot *plot, const char *name, Panel panel, const double place[2])
@@ -562,24 +550,6 @@ static void write_dot(Plot *plot, const char *name, Panel panel, const double pl
     plot_point(plot, name, drawn(panel, place));
     plot_label(plot, name, pair_text(place[0], place[1]).s);
     plot_fit(plot, drawn(panel, place), 0);
-}
-
-// $NAME: the rectangle, and where it begins and ends in words.
-static void write_panel(Plot *plot, const char *name, Panel panel)
-{
-    const double begin[] = {panel.left, panel.bottom};
-    const double end[] = {panel.left + panel.width, panel.bottom + panel.height};
-    const vec3 corners[] = {drawn(panel, begin), drawn(panel, (double[]){end[0], begin[1]}),
-                            drawn(panel, end), drawn(panel, (double[]){begin[0], end[1]}),
-                            drawn(panel, begin)};
-    plot_block(plot, name, "x y z of the corners");
-    for (int i = 0; i < 5; i++) {
-        plot_row_point(plot, corners[i]);
-        plot_fit(plot, corners[i], 0);
-    }
-    plot_block_end(plot);
-    plot_name(plot, (Label){pair_text(begin[0], begin[1]).s, "grey", .block = name, .row = 0});
-    plot_name(plot, (Label){pair_text(end[0], end[1]).s, "grey", .block = name, .row = 2});
 }
 
 static void write_place(Plot *plot, void *given)
@@ -595,6 +565,7 @@ static void write_place(Plot *plot, void *given)
         plot_keep_clear(plot, arrow, arrow);
     }
     write_panel(plot, "into", places.into);
+    name_panel(plot, "into", places.into);
     write_dot(plot, "right", places.into, places.right);
     write_dot(plot, "yours", places.into, places.yours);
     plot_name(plot, (Label){"expected", "blue", .block = "right"});
@@ -603,6 +574,7 @@ static void write_place(Plot *plot, void *given)
     plot_room(plot, left, left);
     if (places.has_given) {
         write_panel(plot, "from", places.from);
+        name_panel(plot, "from", places.from);
         write_dot(plot, "given", places.from, places.given);
         plot_name(plot, (Label){"{given}", "ink", .block = "given"});
     } else {
@@ -615,9 +587,9 @@ static void write_place(Plot *plot, void *given)
                     ? 0
                     : places.yours[i] - places.right[i];
     snprintf(off.s, sizeof off.s, "off by %.100s", pair_text(by[0], by[1]).s);
-    beside_below(plot, wrong->function, wrong->why,
-                 (BesideWords){pair_text(places.right[0], places.right[1]).s,
-                               pair_text(places.yours[0], places.yours[1]).s, off.s, "as a ring"});
+    say(plot, wrong,
+        (BesideWords){pair_text(places.right[0], places.right[1]).s,
+                      pair_text(places.yours[0], places.yours[1]).s, off.s, "as a ring"});
 }
 
 // ---- a rectangle on the screen: the right one, yours, and the sphere's outline -----------------
@@ -639,21 +611,6 @@ static bool read_rectangle(Wrong *wrong)
     Range x = {0, asked.screen.width}, y = {0, asked.screen.height};
     return range_try(&x, asked.yours.left) && range_try(&x, asked.yours.right) &&
            range_try(&y, asked.yours.top) && range_try(&y, asked.yours.bottom);
-}
-
-static void write_rectangle_block(Plot *plot, const char *name, ScreenRectangle box)
-{
-    plot_block(plot, name, "x y z of the corners; y counts up from the top, so it is negative");
-    const double corners[5][2] = {{box.left, -box.top},
-                                  {box.right, -box.top},
-                                  {box.right, -box.bottom},
-                                  {box.left, -box.bottom},
-                                  {box.left, -box.top}};
-    for (int i = 0; i < 5; i++) {
-        plot_row_point(plot, vec3_of(corners[i][0], corners[i][1], 0));
-        plot_fit(plot, vec3_of(corners[i][0], corners[i][1], 0), 0);
-    }
-    plot_block_end(plot);
 }
 
 // Too small to be seen as a rectangle: the layout marks its place.
@@ -703,21 +660,19 @@ static Text box_words(ScreenRectangle box)
 static void write_rectangle(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
-    ScreenRectangle screen = {0, asked.screen.width, 0, asked.screen.height};
+    Panel screen = whole_screen(asked.screen);
     plot_look_flat(plot);
-    write_rectangle_block(plot, "frame", screen);
+    write_panel(plot, "frame", screen);
     write_outline(plot);
-    write_rectangle_block(plot, "answer", asked.right);
-    write_rectangle_block(plot, "yours", asked.yours);
+    write_panel(plot, "answer", (Panel){asked.right, true});
+    write_panel(plot, "yours", (Panel){asked.yours, true});
     plot_number(plot, "is_tiny", is_tiny(asked.yours));
-    plot_name(plot, (Label){pair_text(0, 0).s, "grey", .block = "frame", .row = 0});
-    plot_name(plot, (Label){pair_text(screen.right, screen.bottom).s, "grey", .block = "frame",
-                            .row = 2});
+    name_panel(plot, "frame", screen);
     plot_name(plot, (Label){"expected", "blue", .block = "answer", .row = 1, .part = ANYWHERE});
     plot_name(plot,
               (Label){"yours", "ink", .step = 2, .block = "yours", .row = 3, .part = ANYWHERE});
-    beside_below(plot, wrong->function, wrong->why,
-                 (BesideWords){box_words(asked.right).s, box_words(asked.yours).s, "", "dashed"});
+    say(plot, wrong,
+        (BesideWords){box_words(asked.right).s, box_words(asked.yours).s, "", "dashed"});
 }
 
 // ---- vectors from the eye to the image plane, rays, and cameras ---------------------------------
@@ -760,7 +715,7 @@ static bool read_vector(Wrong *wrong)
     Camera c;
     NUMBERS_GET(wrong->question, Camera, c);
     view.camera = c;
-    view.is_ray = strcmp(exercises[wrong->kept->exercise].results, "Ray") == 0;
+    view.is_ray = strcmp(exercise_of(wrong)->results, "Ray") == 0;
     view.right.origin = view.yours.origin = c.origin;
     if (view.is_ray) {
         NUMBERS_GET(wrong->right, Ray, view.right);
@@ -850,14 +805,14 @@ static void write_vector(Plot *plot, void *given)
     write_plane(plot);
     if (view.is_ray) {
         bool moved = !is_same_place(yours.origin, right.origin);
-        beside_below(plot, wrong->function, wrong->why,
-                     (BesideWords){ray_words(right, moved).s, ray_words(yours, moved).s,
-                                   ray_off(right, yours).s, "dashed"});
+        say(plot, wrong,
+            (BesideWords){ray_words(right, moved).s, ray_words(yours, moved).s,
+                          ray_off(right, yours).s, "dashed"});
         yours = as_long_as(yours, right);
     } else {
-        beside_below(plot, wrong->function, wrong->why,
-                     (BesideWords){vec3_text(right.direction).s, vec3_text(yours.direction).s,
-                                   beside_off(c, yours.direction - right.direction).s, "dashed"});
+        say(plot, wrong,
+            (BesideWords){vec3_text(right.direction).s, vec3_text(yours.direction).s,
+                          beside_off(c, yours.direction - right.direction).s, "dashed"});
     }
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
@@ -903,9 +858,9 @@ static void write_ray(Plot *plot, void *given)
     plot_fit(plot, center, radius);
     plot_name(plot, (Label){"$C$ = (0, 0, 0)", "ink", .block = "center"});
     beside_names(plot);
-    beside_below(plot, wrong->function, wrong->why,
-                 (BesideWords){ray_words(right, true).s, ray_words(yours, true).s,
-                               moved ? ray_off(right, yours).s : "", "dashed"});
+    say(plot, wrong,
+        (BesideWords){ray_words(right, true).s, ray_words(yours, true).s,
+                      moved ? ray_off(right, yours).s : "", "dashed"});
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
 }
 
@@ -926,7 +881,7 @@ static bool is_drawable(Camera c, double size)
 static bool read_camera(Wrong *wrong)
 {
     CameraFault right = CAMERA_OK, yours = CAMERA_OK;
-    if (strcmp(exercises[wrong->kept->exercise].results, "Camera") != 0) {
+    if (strcmp(exercise_of(wrong)->results, "Camera") != 0) {
         NUMBERS_GET(wrong->right, CameraFault, right);
         NUMBERS_GET(wrong->yours, CameraFault, yours);
     }
@@ -997,7 +952,7 @@ static void write_camera(Plot *plot, void *given)
         {"$h u$", "green", .block = "answer", .row = 2, .part = 1},
     };
     plot_names(plot, names, sizeof names / sizeof *names);
-    beside_below(plot, wrong->function, wrong->why, (BesideWords){right.s, yours.s, "", "dashed"});
+    say(plot, wrong, (BesideWords){right.s, yours.s, "", "dashed"});
 }
 
 // ---- the kind of figure, and its file -----------------------------------------------------------
