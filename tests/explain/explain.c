@@ -10,7 +10,7 @@
 // holds (the table in rules.c).
 #include "tests/explain/explain.h"
 
-#include "tests/explain/rules.h"
+#include "tests/explain/parts.h"
 
 #include <ctype.h>
 #include <stdlib.h>

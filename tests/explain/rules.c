@@ -1,7 +1,7 @@
 // rules.c - a line of help for each of the common mistakes: a table of rules, the words that their
 // helps are filled with, and what has to be looked for in the answer. Nothing false is printed:
 // each rule depends on the compiler's words and, if that is not enough, on the code.
-#include "tests/explain/rules.h"
+#include "tests/explain/parts.h"
 
 #include <ctype.h>
 #include <string.h>

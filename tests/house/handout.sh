@@ -189,7 +189,7 @@ leaves_out() {
     printf '%s\n' 'a [x](here)' 'b' '' 'c' '[y](gone)' '' 'd' '' '| e |' '| [z](gone) |' '| [f](here) |' '' '- [g](gone)' '- h' '' 'i' >"$scratch/page"
     : >"$scratch/here"
     printf '%s\n' 'a [x](here)' 'b' '' 'd' '' '| e |' '| [f](here) |' '' '- h' '' 'i' >"$scratch/wanted"
-    python3 tests/handout/trim_page.py "$scratch" "$scratch/page" | diff "$scratch/wanted" -
+    tests/handout/pack --page "$scratch" "$scratch/page" | diff "$scratch/wanted" -
 }
 check 'of what is not there a page says nothing' leaves_out
 same_page() {

@@ -9,8 +9,7 @@
 #include "common/sphere.h"
 #include "exercises/05-quadratic.h"
 #include "tests/judge/numbers.h"
-#include "tests/judge/picture_panels.h"
-#include "tests/judge/questions.h"
+#include "tests/judge/table.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -14,7 +14,6 @@
 #include "tests/judge/figure.h"
 #include "tests/judge/known.h"
 #include "tests/judge/process.h"
-#include "tests/judge/process_transport.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 

@@ -65,7 +65,7 @@ bool dispatch(int exercise, Numbers *in, Numbers *out);
 // ---- how a call reaches its answer -------------------------------------------------------------
 
 // The tests call exercises by their contract names; the main program chooses what answers: a
-// process over a pipe (process_transport.h), a table of recorded answers (table.h), a function of
+// process over a pipe (process.h), a table of recorded answers (table.h), a function of
 // this process, or anything else that has these functions.
 
 typedef struct {

@@ -2,7 +2,7 @@
 //
 // Pixels are drawn as squares. In the third picture the pixels that are alike are dark and those
 // that differ are bright.
-#include "tests/judge/picture_panels.h"
+#include "tests/judge/figure.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,9 @@
-// process.h - the answering process: its start and end, its pipes, and how long to wait for it.
+// process.h - the answering process: its start and end, its pipes, and how long to wait for it
+// (process.c); and the transport to it, the judge's side of a call (process_transport.c).
 #ifndef TESTS_JUDGE_PROCESS_H
 #define TESTS_JUDGE_PROCESS_H
+
+#include "tests/judge/message.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -52,5 +55,45 @@ int process_receive(void *bytes, size_t size, Patience *patience);
 // What a forbidden system call was for, in words: 'to open a file'. Of any number,
 // because it comes from hostile code.
 const char *system_call_purpose(int number);
+
+// ---- a call (process_transport.c) ------------------------------------------------------------
+
+// The process is started when it is first needed, and again after it crashed, hung or exited. A
+// call without an answer ends the test, with the reason in words; later calls of the same exercise
+// end their tests at once with the same reason, so that the judge waits only once for an endless
+// loop.
+
+// From now on calls go to this program; the file receives what it prints (a descriptor).
+void call_answers_from(const char *answering, int printed);
+
+// From now on the process may call this exercise, and the reference answers. Did it?
+void call_lend(int exercise);
+bool call_has_lent(int exercise);
+
+// Whether every call to which something was lent returned just what was lent: then the answer did
+// no work of its own.
+bool call_only_passes_on(void);
+
+// Whether the answer to a call of an exercise has entered another one of the answers.
+bool call_has_entered(int exercise, int other);
+
+// An answer that runs in the place of our waiting (chapters/book/instead/process.c) asks for a lent
+// exercise: answers it. False if it gets no answer.
+bool call_serve(void);
+
+// Ends the answering process.
+void call_stop(void);
+
+// The last call of each test that was answered: of one that failed, what can be drawn.
+typedef struct {
+    int exercise;
+    Numbers question, answer; // that crossed the pipe
+} Kept;
+
+// While it is on, calls are kept; at first it is off.
+void keep_calls(bool on);
+
+// Of the test of this number; NULL if its last call had no answer.
+Kept *kept_of(int test);
 
 #endif

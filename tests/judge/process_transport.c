@@ -1,9 +1,8 @@
 // process_transport.c - one call to the answering process, whatever becomes of it.
-#include "tests/judge/process_transport.h"
+#include "tests/judge/process.h"
 
 #include "tests/judge/exercise.h"
 #include "tests/judge/message.h"
-#include "tests/judge/process.h"
 #include "tests/judge/runner.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 // questions.c - the tests of a table ask its questions, and compare the answers with what is right.
 //
 // Known mistakes are recognised by their values in the table, not by running them.
-#include "tests/judge/questions.h"
+#include "tests/judge/table.h"
 
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"

@@ -4,8 +4,8 @@
 #include "tests/judge/known.h"
 #include "tests/judge/law.h"
 #include "tests/judge/message.h"
-#include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/table.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -42,7 +42,7 @@ Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that fa
 // broken only in hidden tests; the words contain their numbers.
 const char *suspect_broke_law(int exercise, bool hidden);
 
-// A question was answered (questions.h).
+// A question was answered (questions.c).
 void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours);
 
 // Whether the laws are wanted in this test, and a law that is broken (law.h) is of its next call.

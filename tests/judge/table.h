@@ -3,11 +3,12 @@
 //
 // reference/record.c makes it from the tests, the reference and the mistakes, none of which it
 // holds: only inputs, values, and the sentences that a student may read. The judge asks the
-// questions of an answer (questions.h), in the toolkit and in the students' archive.
+// questions of an answer (questions.c), in the toolkit and in the students' archive.
 #ifndef TESTS_JUDGE_TABLE_H
 #define TESTS_JUDGE_TABLE_H
 
 #include "tests/judge/numbers.h"
+#include "tests/judge/runner.h"
 
 #include <stdio.h>
 
@@ -70,5 +71,32 @@ bool table_write(const char *path, Table *table);
 
 // From malloc, one more of it; the new one is all zero.
 void *table_grow(void *items, int *count, size_t size);
+
+// ---- the tests of a table, as those of the stem that was chosen (questions.c)
+// ----------------------
+
+// They ask the table's questions of whoever answers (message.h), and know the right results.
+
+// The one that is being asked.
+const Question *question_now(void);
+
+// From now on answers are compared with mistakes and laws.
+void questions_of_mistakes(void);
+
+// The result of the nth mistake of the function for it; nth -1: the right one. A camera that is
+// refused is so for all reasons that are right (numbers.h).
+const Numbers *known_result(int exercise, int nth);
+
+// Asks it once more.
+const Numbers *ask_again(int exercise);
+
+// ---- of a test that failed, when others run ----------------------------------------------------
+
+// The right result of the call at which it stopped; NULL if it is not known.
+const Numbers *right_answer(const Record *record);
+
+// Of the camera in its arguments: from the eye to the upper left, upper right, lower right and
+// lower left corner of the image plane.
+bool right_corners(const Record *record, vec3 corners[4]);
 
 #endif

@@ -17,7 +17,7 @@
 // JUDGE_TABLES is the folder of the tables that are asked (table.h).
 #include "tests/judge/message.h"
 #include "tests/judge/numbers.h"
-#include "tests/judge/questions.h"
+#include "tests/judge/table.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/known.h"
 #include "tests/judge/suspects.h"

@@ -7,7 +7,6 @@
 
 #include "chapters/book/instead/page.h"
 #include "tests/judge/message.h"
-#include "tests/judge/process_transport.h"
 
 #include <signal.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 // of the output is the state in short. A picture is right if at most one pixel in 200 differs by
 // more than 4 of 255: other ways to compute the same round differently.
 #include "common/image.h"
-#include "tests/judge/picture_panels.h"
+#include "tests/judge/figure.h"
 
 #include <png.h>
 #include <stdio.h>

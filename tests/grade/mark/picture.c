@@ -11,7 +11,6 @@
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"
 #include "tests/judge/process.h"
-#include "tests/judge/process_transport.h"
 #include "tests/judge/reference/proxies.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/test.h"
