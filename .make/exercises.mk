@@ -21,10 +21,14 @@ endif
 endif
 # The parts of the answering process besides the answer.
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering answer_calls calls_traced) $(CALLING)
-answering = $(ANSWERING) $(B)/dispatch/$(1).o \
-	$(lent) $(earlier_answers) $(B)/common.a
+answering = $(B)/answering/$(1).o $(earlier_answers) $(B)/common.a
 # The tests judge. A handout has none, and judges by recorded tables.
 include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
+# Linked in advance, so that nobody waits for it at each verdict.
+$(STEMS:%=$(B)/answering/%.o): $(B)/answering/%.o: $(ANSWERING) $(B)/dispatch/%.o $(lent)
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) -r -nostdlib -Wl,-S -o $@ $^
 # Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
 # for the programs, so that what is right here also builds there. An index beyond the end of an array
 # is a crash, not luck. Each function says when it is entered, and the memory of its variables is filled first
