@@ -196,7 +196,7 @@ static const AnswerPicture *picture_of_wrong(const char *name)
     return NULL;
 }
 
-static void set_mark(const char *path)
+void set_mark(const char *path)
 {
     FILE *file = fopen(path, "w");
     if (file != NULL)
@@ -240,10 +240,12 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
 // Of processor time.
 enum { MOST_SECONDS_OF_CHAPTER = 20 };
 
-// How the chapter's program draws its picture, and the answers that it calls.
-static const struct {
+// How the chapter's program draws its picture, and the answers that it calls. picture: NULL, it has
+// none.
+typedef struct {
     const char *stem, *now, *picture, *option, *scene, *needs;
-} rewards[] = {
+} Reward;
+static const Reward rewards[] = {
     {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture", "",
      "upper_left upper_right across_30_up_10 image_plane_vector"},
     {"02-cameras", "Your cameras now work in either world.", "02-cameras", "--picture", "",
@@ -259,8 +261,8 @@ static const struct {
     {"07-shading", "Nothing is missing any more.", "still-something-missing", "-o", "",
      "camera_from_look_at width_from_angle pixel_ray nearest_hit shade trace_ray"},
     {"08-fast", "Object order now asks only the pixels that a sphere can cover.", NULL, "", "", ""},
+    {NULL, "", NULL, "", "", ""}, // any other chapter
 };
-enum { REWARD_COUNT = sizeof rewards / sizeof rewards[0] };
 
 static PlanPath picture_of(const JudgingPlan *plan, const char *name)
 {
@@ -270,22 +272,22 @@ static PlanPath picture_of(const JudgingPlan *plan, const char *name)
 }
 
 // By the chapter's program, linked with the answers as they were judged.
-static bool draw_chapter(const JudgingPlan *plan, int chapter, int reward, PlanPath picture,
-                         Answerers *answerers)
+static bool draw_chapter(const JudgingPlan *plan, int chapter, const Reward *reward,
+                         PlanPath picture, Answerers *answerers)
 {
     PlanPath program = plan_file(plan, chapter, "program");
     mkdir(path_of(plan->built, "gallery", "").s, 0777);
-    if (!link_with_answers(plan, chapter, plan->chapters[chapter].program, rewards[reward].needs,
-                           program.s, answerers))
+    if (!link_with_answers(plan, chapter, plan->chapters[chapter].program, reward->needs, program.s,
+                           answerers))
         return false;
-    return run_line("/dev/null", MOST_SECONDS_OF_CHAPTER, "%s %s %s %s", program.s,
-                    rewards[reward].option, picture.s, rewards[reward].scene) == 0;
+    return run_line("/dev/null", MOST_SECONDS_OF_CHAPTER, "%s %s %s %s", program.s, reward->option,
+                    picture.s, reward->scene) == 0;
 }
 
-static int reward_of(const char *stem)
+static const Reward *reward_of(const JudgingPlan *plan, int chapter)
 {
-    int reward = 0;
-    while (reward < REWARD_COUNT && strcmp(stem, rewards[reward].stem) != 0)
+    const Reward *reward = rewards;
+    while (reward->stem != NULL && strcmp(plan->chapters[chapter].stem, reward->stem) != 0)
         reward++;
     return reward;
 }
@@ -297,9 +299,12 @@ static void say_again(const Page *page, const JudgingPlan *plan)
         fprintf(page->out, " ANSWERS=%s", plan->answers);
 }
 
-static void show_chapter_picture(const Page *page, const JudgingPlan *plan, int chapter, int reward)
+static void show_chapter_picture(const Page *page, const JudgingPlan *plan, int chapter)
 {
-    PlanPath picture = picture_of(plan, rewards[reward].picture);
+    const Reward *reward = reward_of(plan, chapter);
+    if (reward->picture == NULL)
+        return;
+    PlanPath picture = picture_of(plan, reward->picture);
     Answerers by;
     if (!draw_chapter(plan, chapter, reward, picture, &by)) {
         if (by.missing[0] == '\0') {
@@ -341,10 +346,9 @@ void reward_all(const Page *page, const JudgingPlan *plan)
 {
     fprintf(page->out, "All right, every chapter. You have written a ray caster.\n");
     fflush(page->out);
-    const char *stem = "07-shading"; // whose picture is the deck's last slide
-    int chapter = plan_chapter(plan, stem), reward = reward_of(stem);
-    if (chapter >= 0 && reward < REWARD_COUNT)
-        show_chapter_picture(page, plan, chapter, reward);
+    int chapter = plan_chapter(plan, "07-shading"); // whose picture is the deck's last slide
+    if (chapter >= 0)
+        show_chapter_picture(page, plan, chapter);
     fprintf(page->out, "All pictures: make ANSWERS=%s\n", plan->answers);
     reward_with_finale(page, plan);
 }
@@ -352,24 +356,24 @@ void reward_all(const Page *page, const JudgingPlan *plan)
 void reward_line(const Page *page, const JudgingPlan *plan, int chapter)
 {
     const char *stem = plan->chapters[chapter].stem;
-    int reward = reward_of(stem);
-    if (reward == REWARD_COUNT || rewards[reward].picture == NULL) {
+    const Reward *reward = reward_of(plan, chapter);
+    if (reward->picture == NULL) {
         fprintf(page->out, "%s is right.\n", stem);
         return;
     }
-    Answerers by = answerers_of(plan, chapter, rewards[reward].needs);
+    Answerers by = answerers_of(plan, chapter, reward->needs);
     if (by.missing[0] != '\0')
         fprintf(page->out, "%s is right. Its picture also needs %s.\n", stem, by.missing);
     else
-        fprintf(page->out, "%s is right: %s\n", stem, picture_of(plan, rewards[reward].picture).s);
+        fprintf(page->out, "%s is right: %s\n", stem, picture_of(plan, reward->picture).s);
 }
 
 void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
 {
-    int reward = reward_of(plan->chapters[chapter].stem);
+    const Reward *reward = reward_of(plan, chapter);
     Answerers by;
-    if (reward < REWARD_COUNT && rewards[reward].picture != NULL) {
-        PlanPath picture = picture_of(plan, rewards[reward].picture);
+    if (reward->picture != NULL) {
+        PlanPath picture = picture_of(plan, reward->picture);
         if (!draw_chapter(plan, chapter, reward, picture, &by) && by.missing[0] == '\0')
             fprintf(page->out, "%s could not be drawn: make ANSWERS=%s says why\n", picture.s,
                     plan->answers);
@@ -379,12 +383,10 @@ void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
 
 void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
 {
-    const char *stem = plan->chapters[chapter].stem;
-    int reward = reward_of(stem);
-    fprintf(page->out, "%s is right. %s\n", stem, reward < REWARD_COUNT ? rewards[reward].now : "");
+    fprintf(page->out, "%s is right. %s\n", plan->chapters[chapter].stem,
+            reward_of(plan, chapter)->now);
     fflush(page->out);
-    if (reward < REWARD_COUNT && rewards[reward].picture != NULL)
-        show_chapter_picture(page, plan, chapter, reward);
+    show_chapter_picture(page, plan, chapter);
     show_answer_pictures(page, plan, chapter, true);
     if (chapter + 1 < plan->count) {
         const char *next = plan->chapters[chapter + 1].stem;

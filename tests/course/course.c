@@ -229,9 +229,7 @@ static void draw_pictures(const Page *page, const Course *course, const bool cho
     for (int i = 0; i < course->plan.count; i++) {
         if (news[i]) {
             reward_draw(page, &course->plan, i);
-            FILE *file = fopen(plan_beside(&course->plan, i, ".rewarded").s, "w");
-            if (file != NULL)
-                fclose(file);
+            set_mark(plan_beside(&course->plan, i, ".rewarded").s);
         } else if (chosen[i] && !is_right(course, i)) {
             show_answer_pictures(page, &course->plan, i, false);
         }
@@ -421,14 +419,11 @@ static int debug(const Course *course, const char *program)
         return 1;
     }
     const char *test = function_value(function, "test"), *number = function_value(function, "case");
-    printf("%s, in the test '", function->name);
-    for (const char *c = test; *c != '\0'; c++)
-        putchar(*c == '_' ? ' ' : *c);
-    printf("', case %s.\n"
+    printf("%s, in the test '%s', case %s.\n"
            "In gdb:  n       the next line           s       into a call\n"
            "         p x     the value of x          bt      which calls lead here\n"
            "         finish  out of this function    q       leave gdb\n",
-           number);
+           function->name, test_sentence(function).s, number);
     fflush(stdout);
     char first_break[200], second_break[200];
     // Of the way there nothing is printed.

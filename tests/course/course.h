@@ -42,8 +42,7 @@
 
 #include <stdint.h>
 
-// ---- programs (programs.c; on the page, chapters/book/instead/programs.c)
-// ------------------------
+// ---- programs (programs.c; on the page, chapters/book/instead/programs.c) -----------------------
 
 // From now on Ctrl-C, a closed terminal or kill ends what was started, then this program.
 void programs_end_with_us(void);
@@ -60,8 +59,7 @@ bool program_is_there(const char *name);
 // started. V=1 in the environment shows the command.
 int program_run(char *const *words, const char *output, int seconds);
 
-// ---- the plan (judging.c)
-// ------------------------------------------------------------------------
+// ---- the plan (judging.c) -----------------------------------------------------------------------
 
 enum { MOST_CHAPTERS = 32 };
 
@@ -100,8 +98,7 @@ PlanPath plan_beside(const JudgingPlan *plan, int chapter, const char *ending); 
 PlanPath path_of(const char *folder, const char *name, const char *ending);
 PlanPath plan_blank(const JudgingPlan *plan, int chapter);
 
-// ---- judging (judging.c)
-// -------------------------------------------------------------------------
+// ---- judging (judging.c) ------------------------------------------------------------------------
 
 // Runs a command: a line of words, which blanks separate, and where its output goes.
 int run_line(const char *output, int seconds, const char *format, ...)
@@ -162,12 +159,18 @@ int chapter_that_is_next(const JudgingPlan *plan, const bool chosen[MOST_CHAPTER
 // if all are right.
 const FunctionRecord *function_for_hint(const ChapterRecord *record);
 
+// The test that failed: its name, as a sentence.
+typedef struct {
+    char s[400];
+} TestSentence;
+TestSentence test_sentence(const FunctionRecord *function);
+
 // Writes a line about the answers that are wrong among those that the figure calls, and among those
 // that these wait for. Nothing if none is.
 void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *called);
 
-// ---- pictures that a student's answers draw: those so far, and a chapter's own
-// (answer_pictures.c)
+// ---- pictures that a student's answers draw (answer_pictures.c)
+// -----------------------------------
 
 // Draws what the answers of a chapter make possible so far (pictures/pictures.def), and says where
 // it is: the function that is wrong, each time; what has become right, once, or again. On a page of
@@ -182,5 +185,7 @@ void reward_draw(const Page *page, const JudgingPlan *plan, int chapter);
 void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter);
 // All of them: the last pictures.
 void reward_all(const Page *page, const JudgingPlan *plan);
+// A file that remembers that a picture was shown.
+void set_mark(const char *path);
 
 #endif

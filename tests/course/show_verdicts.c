@@ -18,6 +18,15 @@ typedef struct {
     ChapterRecord record;
 } Chapter;
 
+TestSentence test_sentence(const FunctionRecord *function)
+{
+    TestSentence sentence;
+    snprintf(sentence.s, sizeof sentence.s, "%s", function_value(function, "test"));
+    for (char *c = sentence.s; *c != '\0'; c++)
+        *c = *c == '_' ? ' ' : *c;
+    return sentence;
+}
+
 const FunctionRecord *function_for_hint(const ChapterRecord *record)
 {
     const FunctionRecord *wrong = first_that_is(record, "wrong"),
@@ -129,11 +138,7 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     if (unanswered) {
         page_field(page, PLAIN, "asked", exercise->prompt);
     } else {
-        char *sentence = strdup(function_value(function, "test"));
-        for (char *c = sentence; c != NULL && *c != '\0'; c++)
-            *c = *c == '_' ? ' ' : *c;
-        page_words(page, PLAIN, 2, 2, sentence != NULL ? sentence : "");
-        free(sentence);
+        page_words(page, PLAIN, 2, 2, test_sentence(function).s);
     }
     show_call(page, &(ShownCall){
                         .hidden = function_value(function, "hidden")[0] != '\0',
@@ -350,9 +355,7 @@ static void show_progress_so_far(const Page *page, const JudgingPlan *plan)
 // Wrong comes before what is not answered yet. An answer with another name counts as wrong.
 static bool is_wrong(const JudgingPlan *plan, const Chapter *chapter)
 {
-    const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
-    return strcmp(state, "compiler") == 0 || strcmp(state, "linker") == 0 ||
-           strcmp(state, "stopped") == 0 ||
+    return trouble_of(chapter) != NULL ||
            (is_lost(plan, chapter) && chapter->missing.like[0] != '\0') ||
            first_that_is(&chapter->record, "wrong") != NULL;
 }

@@ -14,34 +14,28 @@
 #include <ucontext.h>
 #include <unistd.h>
 
-bool answer_write(const void *bytes, size_t size)
+static bool move(bool out, char *place, size_t size)
 {
-    const char *from = bytes;
     while (size > 0) {
-        ssize_t n = write(ANSWERS_OUT, from, size);
+        ssize_t n = out ? write(ANSWERS_OUT, place, size) : read(CALLS_IN, place, size);
         if (n < 0 && errno == EINTR)
             continue;
         if (n <= 0)
             return false;
-        from += n;
+        place += n;
         size -= (size_t)n;
     }
     return true;
 }
 
+bool answer_write(const void *bytes, size_t size)
+{
+    return move(true, (char *)bytes, size);
+}
+
 bool answer_read(void *bytes, size_t size)
 {
-    char *into = bytes;
-    while (size > 0) {
-        ssize_t n = read(CALLS_IN, into, size);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return false;
-        into += n;
-        size -= (size_t)n;
-    }
-    return true;
+    return move(false, bytes, size);
 }
 
 // abort sends itself a signal; where signals are forbidden (tests/grade/confine/), that shows.

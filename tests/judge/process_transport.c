@@ -100,23 +100,15 @@ static void copy(Numbers *into, const Numbers *from)
     numbers_add_all(into, from);
 }
 
-static void keep_question(int exercise, const Numbers *question)
+// The question, and later its answer.
+static void keep(int exercise, bool is_answered, const Numbers *numbers)
 {
     int test = record_number();
     if (!keeps_calls || test >= MOST_TESTS)
         return;
-    kept[test].is_answered = false;
+    kept[test].is_answered = is_answered;
     kept[test].call.exercise = exercise;
-    copy(&kept[test].call.question, question);
-}
-
-static void keep_answer(const Numbers *answer)
-{
-    int test = record_number();
-    if (!keeps_calls || test >= MOST_TESTS)
-        return;
-    kept[test].is_answered = true;
-    copy(&kept[test].call.answer, answer);
+    copy(is_answered ? &kept[test].call.answer : &kept[test].call.question, numbers);
 }
 
 Kept *kept_of(int test)
@@ -373,7 +365,7 @@ static uint64_t next_nonce(void)
 
 static void send_call(int exercise)
 {
-    keep_question(exercise, &message);
+    keep(exercise, false, &message);
     called = exercise;
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
@@ -439,7 +431,7 @@ static Numbers *receive_answer(int exercise)
     if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
                          sizeof broken[exercise].why))
         break_off(exercise);
-    keep_answer(&message);
+    keep(exercise, true, &message);
     return &message;
 }
 

@@ -38,11 +38,6 @@ static void get_value(const Type *type, const Numbers *numbers, int from, void *
     numbers_get(&rest, type, value);
 }
 
-static bool near(double yours, double expected, double tolerance)
-{
-    return yours == expected || fabs(yours - expected) <= tolerance;
-}
-
 // Numbers that are near enough are taken for the expected ones, so that only the others differ.
 static const Numbers *as_expected(const Question *question, const Numbers *yours)
 {
@@ -50,7 +45,7 @@ static const Numbers *as_expected(const Question *question, const Numbers *yours
     numbers_free(&numbers);
     numbers = numbers_copy(yours);
     for (int i = 0; i < question->within.count; i++)
-        if (near(yours->at[i], question->expected.at[i], question->within.at[i]))
+        if (number_near(yours->at[i], question->expected.at[i], question->within.at[i]))
             numbers.at[i] = question->expected.at[i];
     return &numbers;
 }

@@ -158,10 +158,11 @@ static void record_teardown(void)
 
 // ---- running them ------------------------------------------------------------------------------
 
-static struct {
+typedef struct {
     const char *function_wanted, *name_wanted; // NULL: all
     Outcomes *outcomes;
-} listing;
+} Listing;
+static Listing listing;
 
 static TCase *case_of(Suite *suite, const char *function)
 {
@@ -316,17 +317,13 @@ static void run(bool probes, WhereAnswersAre where)
 
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
 {
-    listing.function_wanted = function;
-    listing.name_wanted = name;
-    listing.outcomes = outcomes;
+    listing = (Listing){function, name, outcomes};
     run(false, where);
 }
 
 void run_probes(const char *function, const char *name, Outcomes *outcomes)
 {
-    listing.function_wanted = function;
-    listing.name_wanted = name;
-    listing.outcomes = outcomes;
+    listing = (Listing){function, name, outcomes};
     run(true, ANSWERS_APART);
 }
 

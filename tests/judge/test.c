@@ -37,24 +37,13 @@ void expects(Expectation expectation)
         expectation_listener(&expectation);
 }
 
-static bool near(double yours, double expected, double tolerance)
-{
-    return yours == expected || fabs(yours - expected) <= tolerance;
-}
-
-static bool vec3_near(vec3 yours, vec3 expected, double tolerance)
-{
-    return near(yours[0], expected[0], tolerance) && near(yours[1], expected[1], tolerance) &&
-           near(yours[2], expected[2], tolerance);
-}
-
 // Enough digits to see how numbers differ that are not near.
 static int digits_that_tell(const double *yours, const double *expected, int count,
                             double tolerance)
 {
     int digits = 6;
     for (int i = 0; i < count; i++)
-        while (digits < 17 && !near(yours[i], expected[i], tolerance) &&
+        while (digits < 17 && !number_near(yours[i], expected[i], tolerance) &&
                strcmp(number_text_to(yours[i], digits).s, number_text_to(expected[i], digits).s) ==
                    0)
             digits++;
@@ -67,7 +56,7 @@ static void settle_numbers(const double *yours, const double *expected, int coun
     bool met = true;
     expects((Expectation){count, yours, expected, tolerance, 0, false, 0, 0});
     for (int i = 0; i < count; i++)
-        met = met && near(yours[i], expected[i], tolerance);
+        met = met && number_near(yours[i], expected[i], tolerance);
     char y[400] = "", e[400] = "";
     if (met) {
         settle(true, y, e);
@@ -190,10 +179,10 @@ void expect_same_ray(Ray yours, Ray expected, double tolerance)
 {
     double length = vec3_length(yours.direction);
     vec3 scaled = vec3_length(expected.direction) / length * yours.direction;
-    bool met = length > 0 && vec3_near(yours.origin, expected.origin, tolerance) &&
-               vec3_near(scaled, expected.direction, tolerance);
+    Ray like = {yours.origin, scaled};
+    bool met = length > 0 && type_near(&type_Ray, &like, &expected, tolerance, tolerance);
     char y[400], e[400];
-    Doubles its = doubles_of(&type_Ray, &(Ray){yours.origin, scaled});
+    Doubles its = doubles_of(&type_Ray, &like);
     Doubles right = doubles_of(&type_Ray, &expected);
     int digits = digits_that_tell(its.at, right.at, its.count, tolerance);
     digits = digits < 9 ? 9 : digits;
@@ -346,7 +335,7 @@ void expect_roots(Roots yours, Roots expected, double within)
     bool same = yours.count == expected.count;
     for (int i = 0; i < expected.count; i++) {
         expects((Expectation){1, &yours.t[i], &expected.t[i], within, 0, false, 0, 0});
-        same = same && near(yours.t[i], expected.t[i], within);
+        same = same && number_near(yours.t[i], expected.t[i], within);
     }
     int digits = 6;
     while (digits < 17 && !same &&

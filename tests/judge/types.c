@@ -34,7 +34,7 @@ bool type_is_flat(const Type *type)
     return flat;
 }
 
-static bool number_near(double yours, double expected, double tolerance)
+bool number_near(double yours, double expected, double tolerance)
 {
     return yours == expected || fabs(yours - expected) <= tolerance;
 }

@@ -52,8 +52,11 @@ const Type *type_named(const char *name);
 bool type_is_flat(const Type *type);
 enum { TYPE_MOST_BYTES = 512 }; // no value is larger
 
+// Whether two numbers differ by at most that; NaN is near nothing.
+bool number_near(double yours, double expected, double tolerance);
+
 // Whether two flat values are equal: whole numbers are, lengths are off by at most one of the
-// tolerances, other numbers by at most the other. NaN is near nothing.
+// tolerances, other numbers by at most the other.
 bool type_near(const Type *type, const void *yours, const void *expected, double tolerance,
                double tolerance_of_lengths);
 
