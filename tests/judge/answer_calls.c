@@ -36,27 +36,11 @@ static bool receive(MessageHeader *header, Numbers *numbers)
 
 // If an exercise of this chapter is lent, its calls come here (lent_answers.c) and the judge
 // answers them: this process never holds the reference of the chapter that is judged.
-static Numbers lent;
-
-static Numbers *begin_asking(int exercise)
+static Numbers *ask_judge(int exercise, Numbers *question)
 {
-    (void)exercise;
-    numbers_clear(&lent);
-    return &lent;
-}
-
-static void ask_judge(int exercise)
-{
-    MessageHeader ask = {MESSAGE_MAGIC, exercise, current.nonce, 0, MESSAGE_ASK, 0, 0, ""};
-    if (!send(ask, &lent))
-        answer_end();
-}
-
-static Numbers *receive_lent(int exercise)
-{
-    MessageHeader answer;
-    (void)exercise;
-    if (!receive(&answer, &lent) || answer.kind != MESSAGE_LENT)
+    static Numbers lent;
+    MessageHeader ask = {MESSAGE_MAGIC, exercise, current.nonce, 0, MESSAGE_ASK, 0, 0, ""}, answer;
+    if (!send(ask, question) || !receive(&answer, &lent) || answer.kind != MESSAGE_LENT)
         answer_end();
     return &lent;
 }
@@ -92,8 +76,7 @@ static void say_failed_check(const FailedCheck *failed)
 
 void answer_begin(void)
 {
-    static const Transport judge = {begin_asking, ask_judge, receive_lent, NULL};
-    transport_use(&judge);
+    transport_use(ask_judge, NULL);
     setvbuf(stdout, NULL, _IONBF, 0); // so that the text printed before a crash is not lost
     before_call = fill_memory;
     tell_failed_check = say_failed_check;

@@ -209,63 +209,49 @@ bool apply(int number, AnyFunction *function, Numbers *in, Numbers *out)
 
 // ---- a call by the transport that was chosen ---------------------------------------------------
 
-static const Transport *transport;
+static Transport *transport;
+static void (*refuse_answer)(int exercise);
 
-void transport_use(const Transport *wanted)
+void transport_use(Transport *wanted, void (*refuse)(int exercise))
 {
     transport = wanted;
+    refuse_answer = refuse;
 }
 
-Numbers *transport_begin(int exercise)
+Numbers *transport_ask(int exercise, Numbers *question)
 {
-    return transport->begin(exercise);
+    return transport(exercise, question);
 }
 
-Numbers *transport_answer(int exercise)
+void transport_check(int exercise, const Numbers *answer)
 {
-    transport->send(exercise);
-    return transport->receive(exercise);
-}
-
-void transport_finish(int exercise)
-{
-    if (transport->finish != NULL)
-        transport->finish(exercise);
+    if (refuse_answer != NULL && !numbers_are_read(answer))
+        refuse_answer(exercise);
 }
 
 void transport_call(int exercise, void *result, void *const *arguments)
 {
-    put_arguments(transport_begin(exercise), exercise, arguments);
-    get_results(transport_answer(exercise), exercise, result, arguments);
-    transport_finish(exercise);
+    static Numbers question;
+    numbers_clear(&question);
+    put_arguments(&question, exercise, arguments);
+    Numbers *answer = transport_ask(exercise, &question);
+    get_results(answer, exercise, result, arguments);
+    transport_check(exercise, answer);
 }
 
 // To a function of this process.
 static AnyFunction *answering;
-static Numbers question, answer;
 
-static Numbers *begin_here(int exercise)
+static Numbers *ask_here(int exercise, Numbers *question)
 {
-    (void)exercise;
-    numbers_clear(&question);
-    return &question;
-}
-
-static void send_here(int exercise)
-{
-    answer_here(exercise, answering, &question, &answer);
-}
-
-static Numbers *receive_here(int exercise)
-{
-    (void)exercise;
+    static Numbers answer;
+    answer_here(exercise, answering, question, &answer);
     return &answer;
 }
 
 void answer_here_by(AnyFunction *function)
 {
-    static const Transport here = {begin_here, send_here, receive_here, NULL};
-    transport_use(&here);
+    transport_use(ask_here, NULL);
     answering = function;
 }
 

@@ -65,23 +65,17 @@ bool dispatch(int exercise, Numbers *in, Numbers *out);
 // ---- how a call reaches its answer -------------------------------------------------------------
 
 // The tests call exercises by their contract names; the main program chooses what answers: a
-// process over a pipe (process.h), a table of recorded answers (table.h), a function of
-// this process, or anything else that has these functions.
+// process over a pipe (process.h), a function of this process, or anything else that makes the
+// results of a call from its arguments.
+typedef Numbers *Transport(int exercise, Numbers *question);
 
-typedef struct {
-    Numbers *(*begin)(int exercise);   // an empty message, for the arguments
-    void (*send)(int exercise);        // they are all in it
-    Numbers *(*receive)(int exercise); // waits for the results
-    void (*finish)(int exercise);      // all of them were read; may be NULL
-} Transport;
+// From now on calls go this way. refuse: called with answers that are not the results of this
+// exercise; NULL: there are none.
+void transport_use(Transport *transport, void (*refuse)(int exercise));
 
-// From now on calls go this way.
-void transport_use(const Transport *transport);
-
-// One call: put the arguments into the message that begins it, read the results from the answer.
-Numbers *transport_begin(int exercise);
-Numbers *transport_answer(int exercise);
-void transport_finish(int exercise);
+// One call; and whether its results are all that is in the answer, after they were read.
+Numbers *transport_ask(int exercise, Numbers *question);
+void transport_check(int exercise, const Numbers *answer);
 
 // The same with the values of a call.
 void transport_call(int exercise, void *result, void *const *arguments);

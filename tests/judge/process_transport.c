@@ -135,15 +135,12 @@ static int size_of_call;
 static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
 static bool has_entered[EXERCISE_COUNT][EXERCISE_COUNT];
 
-static Numbers *begin(int exercise);
-static void send_call(int exercise);
-static Numbers *receive_answer(int exercise);
-static void finish(int exercise);
+static Transport ask;
+static void refuse(int exercise);
 
 void call_answers_from(const char *answering, int printed)
 {
-    static const Transport process = {begin, send_call, receive_answer, finish};
-    transport_use(&process);
+    transport_use(ask, refuse);
     process_begin(answering, printed);
 }
 
@@ -225,14 +222,6 @@ static void pass_on_end(const Numbers *answer)
 static void break_off(int exercise)
 {
     record_how(broken[exercise].how, broken[exercise].why);
-}
-
-static Numbers *begin(int exercise)
-{
-    if (broken[exercise].why[0] != '\0')
-        break_off(exercise);
-    numbers_clear(&message);
-    return &message;
 }
 
 // The name of the called blank comes from a process that may lie.
@@ -363,17 +352,17 @@ static uint64_t next_nonce(void)
     return left > 0 ? fresh[--left] : nonce + 1;
 }
 
-static void send_call(int exercise)
+static void send_call(int exercise, const Numbers *question)
 {
-    keep(exercise, false, &message);
+    keep(exercise, false, question);
     called = exercise;
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
     nonce = next_nonce();
     sent.left = patience_begin();
-    size_of_call = message.count;
-    pass_on_call(&message);
-    sent.moved = send(MESSAGE_CALL, exercise, &message, &sent.left);
+    size_of_call = question->count;
+    pass_on_call(question);
+    sent.moved = send(MESSAGE_CALL, exercise, question, &sent.left);
 }
 
 // If no answer comes: why, and the process has ended.
@@ -426,8 +415,11 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
     return false;
 }
 
-static Numbers *receive_answer(int exercise)
+static Numbers *ask(int exercise, Numbers *question)
 {
+    if (broken[exercise].why[0] != '\0')
+        break_off(exercise);
+    send_call(exercise, question);
     if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
                          sizeof broken[exercise].why))
         break_off(exercise);
@@ -435,10 +427,8 @@ static Numbers *receive_answer(int exercise)
     return &message;
 }
 
-static void finish(int exercise)
+static void refuse(int exercise)
 {
-    if (numbers_are_read(&message))
-        return;
     broken[exercise].how = HOW_CRASHED;
     snprintf(broken[exercise].why, sizeof broken[exercise].why, "sent an invalid answer");
     process_stop(false);

@@ -15,12 +15,12 @@
 // hidden ones.
 //
 // JUDGE_TABLES is the folder of the tables that are asked (table.h).
+#include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/numbers.h"
-#include "tests/judge/table.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/known.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -98,38 +98,25 @@ static void check_law(const char *what, const char *name, int exercise)
 static void (*answer_message)(int exercise);
 static Numbers message;
 
-static Numbers *clear_message(int exercise)
+static Numbers *ask(int exercise, Numbers *question)
 {
-    (void)exercise;
     numbers_clear(&message);
-    return &message;
-}
-
-static void send_message(int exercise)
-{
+    numbers_add_all(&message, question);
     answer_message(exercise);
     message.read = 0;
-}
-
-static Numbers *message_again(int exercise)
-{
-    (void)exercise;
     return &message;
 }
 
-static void must_be_read(int exercise)
+static void refuse(int exercise)
 {
-    if (!numbers_are_read(&message)) {
-        fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
-        abort();
-    }
+    fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
+    abort();
 }
 
 static void process_answers_by(void (*by)(int exercise))
 {
-    static const Transport transport = {clear_message, send_message, message_again, must_be_read};
     answer_message = by;
-    transport_use(&transport);
+    transport_use(ask, refuse);
 }
 
 // The answer of a function replaces the question.

@@ -51,26 +51,14 @@ static int folder_count;
 // ---- one answer ---------------------------------------------------------------------------------
 
 static AnyFunction *answering;
-static Numbers to_answer, from_answer;
 
-static Numbers *begin(int exercise)
+static Numbers *ask(int exercise, Numbers *question)
 {
-    (void)exercise;
-    numbers_clear(&to_answer);
-    return &to_answer;
-}
-
-static void call(int exercise)
-{
-    answer_here(exercise, answering, &to_answer, &from_answer);
-    if (from_answer.overran)
+    static Numbers answer;
+    answer_here(exercise, answering, question, &answer);
+    if (answer.overran)
         record_overran();
-}
-
-static Numbers *receive(int exercise)
-{
-    (void)exercise;
-    return &from_answer;
+    return &answer;
 }
 
 static const Outcome *first_failed(const Outcomes *outcomes)
@@ -83,9 +71,8 @@ static const Outcome *first_failed(const Outcomes *outcomes)
 
 static void judge(const Generated *it, Verdict *verdict)
 {
-    static const Transport here = {begin, call, receive, NULL};
     static Outcomes outcomes;
-    transport_use(&here);
+    transport_use(ask, NULL);
     answering = it->answer;
     run_tests(it->exercise, NULL, ANSWERS_APART, &outcomes);
     const Outcome *failed = first_failed(&outcomes);
