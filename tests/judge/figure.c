@@ -17,15 +17,14 @@
 // One call. The numbers are read from their beginning.
 typedef struct {
     const char *function;
-    const Record *record;
-    Kept *kept;
+    const Numbers *corners; // of the image plane, from the eye, if the argument is a camera
     Numbers *question, *right, *yours;
     const char *why; // the mistake's sentence; empty if there is none
 } Wrong;
 
 static const Exercise *exercise_of(const Wrong *wrong)
 {
-    return &exercises[wrong->kept->exercise];
+    return &exercises[exercise_number(wrong->function)];
 }
 
 // Which function the figure is about, the words below it, and why the answer is wrong.
@@ -724,7 +723,9 @@ static bool read_vector(Wrong *wrong)
         NUMBERS_GET(wrong->yours, vec3, view.yours.direction);
     }
     double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
-    return right_corners(wrong->record, view.corners) && (!view.is_ray || length > 0) &&
+    for (int i = 0; i < wrong->corners->count; i++)
+        view.corners[i / 3][i % 3] = wrong->corners->at[i];
+    return wrong->corners->count == 12 && (!view.is_ray || length > 0) &&
            is_near(view.yours.origin, view.right.origin, size) &&
            (is_near(view.yours.direction, view.right.direction, size) ||
             (view.is_ray && isfinite(length)));
@@ -1001,7 +1002,7 @@ void figure_forget(const char *folder, const char *function)
 
 static void write_figure(const char *path, Wrong *wrong)
 {
-    const Exercise *types = &exercises[wrong->kept->exercise];
+    const Exercise *types = exercise_of(wrong);
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (strcmp(types->results, kinds[i].results) != 0 ||
             strncmp(types->arguments, kinds[i].arguments, strlen(kinds[i].arguments)) != 0)
@@ -1058,21 +1059,27 @@ static void why_of(char *why, size_t size, Diagnosis diagnosis)
     replace_all(why, size, "- ", "\u2212 ");
 }
 
-void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis)
+// From the beginning.
+static Numbers again(const Numbers *numbers)
+{
+    return (Numbers){.count = numbers->count, .at = numbers->at};
+}
+
+void figure_write(const char *folder, const Record *record, const Numbers *yours,
+                  Diagnosis diagnosis)
 {
     char path[4096], why[1000];
     const char *function = record->function;
-    const Numbers *answer = right_answer(record);
-    if (record->hidden || record->missing[0] != '\0' || kept == NULL ||
-        exercise_number(function) != kept->exercise || answer == NULL)
+    const Question *stopped_at = question_of(record);
+    if (record->hidden || record->missing[0] != '\0' || yours == NULL || stopped_at == NULL)
         return;
-    Numbers right = {.count = answer->count, .at = answer->at};
+    Numbers question = again(&stopped_at->arguments), right = again(&stopped_at->results[0]);
+    Numbers answer = again(yours);
     why_of(why, sizeof why, diagnosis);
-    Wrong wrong = {function, record, kept, &kept->question, &right, &kept->answer, why};
-    bool is_picture = strncmp(exercises[kept->exercise].results, "Pixels", 6) == 0;
+    Wrong wrong = {function, &stopped_at->corners, &question, &right, &answer, why};
+    bool is_picture = strncmp(exercise_of(&wrong)->results, "Pixels", 6) == 0;
     if (!path_of(path, sizeof path, folder, function, is_picture ? ".png" : ".gp"))
         return;
-    kept->question.read = kept->answer.read = 0;
     if (is_picture)
         write_pictures(&wrong, path);
     else

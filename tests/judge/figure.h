@@ -9,14 +9,15 @@
 #define TESTS_JUDGE_FIGURE_H
 
 #include "common/image.h"
-#include "tests/judge/process.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 
 // Removes the figure of an older answer.
 void figure_forget(const char *folder, const char *function);
 
-void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis);
+// yours: the answer at which the test stopped, or NULL.
+void figure_write(const char *folder, const Record *record, const Numbers *yours,
+                  Diagnosis diagnosis);
 
 // ---- two pictures of one size, and where they differ
 // ---------------------------------------------

@@ -16,6 +16,7 @@
 #include "tests/judge/process.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,8 +161,8 @@ static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
         return;
     figure_forget(figures, group->function);
     if (group->failed != NULL)
-        figure_write(figures, group->failed->record, kept_of((int)(group->failed - outcomes.tests)),
-                     diagnosis);
+        figure_write(figures, group->failed->record,
+                     answer_of((int)(group->failed - outcomes.tests)), diagnosis);
 }
 
 static int verdict(const char *folder, const char *figures)
@@ -231,9 +232,9 @@ int main(int argc, char **argv)
     records_catch_printed(fileno(printed));
     if (only)
         lend(argv + 5);
-    keep_calls(!only);
+    keep_answers(!only);
     run_tests(only ? argv[4] : NULL, NULL, ANSWERS_APART, &outcomes);
-    keep_calls(false);
+    keep_answers(false);
     int status = only ? passes(argv + 5) : verdict(argv[3], argv[4]);
     call_stop();
     return status;

@@ -84,16 +84,4 @@ bool call_serve(void);
 // Ends the answering process.
 void call_stop(void);
 
-// The last call of each test that was answered: of one that failed, what can be drawn.
-typedef struct {
-    int exercise;
-    Numbers question, answer; // that crossed the pipe
-} Kept;
-
-// While it is on, calls are kept; at first it is off.
-void keep_calls(bool on);
-
-// Of the test of this number; NULL if its last call had no answer.
-Kept *kept_of(int test);
-
 #endif

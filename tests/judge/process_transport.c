@@ -81,41 +81,6 @@ static void describe_end(char *why, size_t size, int status)
         snprintf(why, size, "ended the program by itself (exit status %d)", WEXITSTATUS(status));
 }
 
-// ---- the last call of each test that was answered ----------------------------------------------
-
-static bool keeps_calls;
-static struct {
-    bool is_answered;
-    Kept call;
-} kept[MOST_TESTS];
-
-void keep_calls(bool wanted)
-{
-    keeps_calls = wanted;
-}
-
-static void copy(Numbers *into, const Numbers *from)
-{
-    numbers_clear(into);
-    numbers_add_all(into, from);
-}
-
-// The question, and later its answer.
-static void keep(int exercise, bool is_answered, const Numbers *numbers)
-{
-    int test = record_number();
-    if (!keeps_calls || test >= MOST_TESTS)
-        return;
-    kept[test].is_answered = is_answered;
-    kept[test].call.exercise = exercise;
-    copy(is_answered ? &kept[test].call.answer : &kept[test].call.question, numbers);
-}
-
-Kept *kept_of(int test)
-{
-    return kept[test].is_answered ? &kept[test].call : NULL;
-}
-
 // ---- one call ----------------------------------------------------------------------------------
 
 enum {
@@ -162,6 +127,12 @@ bool call_has_lent(int exercise)
 bool call_has_entered(int exercise, int other)
 {
     return has_entered[exercise][other];
+}
+
+static void copy(Numbers *into, const Numbers *from)
+{
+    numbers_clear(into);
+    numbers_add_all(into, from);
 }
 
 // The calls that were answered by passing the question on, and the calls to which something was
@@ -354,7 +325,6 @@ static uint64_t next_nonce(void)
 
 static void send_call(int exercise, const Numbers *question)
 {
-    keep(exercise, false, question);
     called = exercise;
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
@@ -423,7 +393,6 @@ static Numbers *ask(int exercise, Numbers *question)
     if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
                          sizeof broken[exercise].why))
         break_off(exercise);
-    keep(exercise, true, &message);
     return &message;
 }
 

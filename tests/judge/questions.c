@@ -259,11 +259,37 @@ const Numbers *ask_again(int exercise)
     return &yours;
 }
 
+// The last answer in each test.
+static bool keeps_answers;
+static Numbers kept[MOST_TESTS];
+
+void keep_answers(bool on)
+{
+    keeps_answers = on;
+}
+
+static void keep_answer(const Numbers *answer)
+{
+    int test = record_number();
+    if (!keeps_answers || test >= MOST_TESTS)
+        return;
+    numbers_clear(&kept[test]);
+    if (answer != NULL)
+        numbers_add_all(&kept[test], answer);
+}
+
+const Numbers *answer_of(int test)
+{
+    return kept[test].count > 0 ? &kept[test] : NULL;
+}
+
 static void ask_and_judge(int exercise, const Question *question)
 {
     static Numbers yours;
     now = question;
+    keep_answer(NULL);
     ask(exercise, &yours);
+    keep_answer(&yours);
     suspects_hear(exercise, &question->arguments, &yours);
     law_check(exercise, question, &yours);
     if (!record_now()->probe)
@@ -337,11 +363,11 @@ __attribute__((constructor)) static void load_when_chosen(void)
         stem_named(exercises[i].stem)->load = load;
 }
 
-// ---- the right result of a question ------------------------------------------------------------
+// ---- of a test that has failed -----------------------------------------------------------------
 
-// That at which the test stopped.
-static const Question *question_of(const Record *record)
+const Question *question_of(const Record *record)
 {
+    table_load_mistakes(&table);
     for (int i = 0; i < table.test_count; i++) {
         const TableTest *test = &table.tests[i];
         if (strcmp(test->function, record->function) == 0 &&
@@ -350,22 +376,4 @@ static const Question *question_of(const Record *record)
             return &test->questions[record->cases - 1];
     }
     return NULL;
-}
-
-const Numbers *right_answer(const Record *record)
-{
-    const Question *question = question_of(record);
-    return question != NULL ? &question->results[0] : NULL;
-}
-
-bool right_corners(const Record *record, vec3 corners[4])
-{
-    table_load_mistakes(&table);
-    const Question *question = question_of(record);
-    if (question == NULL || question->corners.count != 12)
-        return false;
-    const double *at = question->corners.at;
-    for (int i = 0; i < 4; i++)
-        corners[i] = vec3_of(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
-    return true;
 }

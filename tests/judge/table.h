@@ -90,13 +90,14 @@ const Numbers *known_result(int exercise, int nth);
 // Asks it once more.
 const Numbers *ask_again(int exercise);
 
-// ---- of a test that failed, when others run ----------------------------------------------------
+// ---- of a test that has failed -----------------------------------------------------------------
 
-// The right result of the call at which it stopped; NULL if it is not known.
-const Numbers *right_answer(const Record *record);
+// The question at which it stopped; NULL if that is not known. All of it is read.
+const Question *question_of(const Record *record);
 
-// Of the camera in its arguments: from the eye to the upper left, upper right, lower right and
-// lower left corner of the image plane.
-bool right_corners(const Record *record, vec3 corners[4]);
+// While it is on, the last answer in each test is kept; at first it is off.
+void keep_answers(bool on);
+// Of the test of this number; NULL if its last call had no answer.
+const Numbers *answer_of(int test);
 
 #endif
