@@ -15,12 +15,20 @@
 #include <string.h>
 
 // One call. The numbers are read from their beginning.
-typedef struct {
+typedef struct Wrong {
     const char *function;
     const Numbers *corners; // of the image plane, from the eye, if the argument is a camera
     Numbers *question, *right, *yours;
     const char *why; // the mistake's sentence; empty if there is none
+    bool (*draw)(Plot *plot, struct Wrong *wrong);
+    bool is_drawn;
 } Wrong;
+
+// What was read is not a call, or not its results.
+static bool is_bad(const Wrong *wrong)
+{
+    return wrong->question->bad || wrong->right->bad || wrong->yours->bad;
+}
 
 static const Exercise *exercise_of(const Wrong *wrong)
 {
@@ -218,49 +226,39 @@ static void write_axis(Plot *plot, const Axis *axis)
 
 enum { MOST_SPHERES = 100, MOST_NAMES = 12 };
 
-static struct {
+typedef struct {
     Ray ray;
     int count;
     Sphere spheres[MOST_SPHERES];
-    Places right, yours;
-} section;
+    bool has_names;
+} Section;
 
-static void read_spheres(Numbers *question, bool whole_scene)
+static Section read_section(Numbers *question, bool whole_scene)
 {
     Scene scene;
-    section.count = 1;
+    Section section = {.count = 1, .has_names = whole_scene};
+    NUMBERS_GET(question, Ray, section.ray);
     if (!whole_scene) {
         NUMBERS_GET(question, Sphere, section.spheres[0]);
-        return;
+        return section;
     }
     numbers_get(question, &type_Scene, &scene);
     section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
     for (int i = 0; i < section.count; i++)
         section.spheres[i] = scene.spheres[i];
     numbers_free_value(&type_Scene, &scene);
-}
-
-static bool read_section(Wrong *wrong)
-{
-    const char *results = exercise_of(wrong)->results;
-    section.right = read_places(wrong->right, results);
-    section.yours = read_places(wrong->yours, results);
-    NUMBERS_GET(wrong->question, Ray, section.ray);
-    read_spheres(wrong->question, section.right.kind == HIT);
-    return are_drawable(section.right) && are_drawable(section.yours) &&
-           (section.right.count > 0 || section.yours.count > 0) &&
-           vec3_length(section.ray.direction) > 0;
+    return section;
 }
 
 // Along the ray and to its side, each sphere rotated around the ray into the paper: the first
 // below.
-static void write_spheres(Plot *plot, Range *x, Range *y)
+static void write_spheres(Plot *plot, const Section *section, Range *x, Range *y)
 {
-    vec3 along = vec3_unit(section.ray.direction), below = vec3_of(0, 0, 0);
+    vec3 along = vec3_unit(section->ray.direction), below = vec3_of(0, 0, 0);
     plot_block(plot, "spheres", "along the ray, aside, radius, which");
-    for (int i = 0; i < section.count; i++) {
-        vec3 center = section.spheres[i].center - section.ray.origin;
-        double r = section.spheres[i].radius, ahead = vec3_dot(center, along);
+    for (int i = 0; i < section->count; i++) {
+        vec3 center = section->spheres[i].center - section->ray.origin;
+        double r = section->spheres[i].radius, ahead = vec3_dot(center, along);
         vec3 away = center - ahead * along;
         if (vec3_length(below) == 0)
             below = away;
@@ -268,7 +266,7 @@ static void write_spheres(Plot *plot, Range *x, Range *y)
         plot_row(plot, 4, (const double[]){ahead, aside, r, i});
         plot_circle(plot, vec3_of(ahead, aside, 0), r);
         plot_fit(plot, vec3_of(ahead, aside, 0), r);
-        if (section.right.kind == HIT && i < MOST_NAMES)
+        if (section->has_names && i < MOST_NAMES)
             plot_name(plot, (Label){number_text(i).s, "grey", .place = vec3_of(ahead, aside, 0),
                                     .ball = r});
         *x = i == 0 ? (Range){ahead - r, ahead + r} : *x;
@@ -289,15 +287,19 @@ static void plot_lines_up(Plot *plot, const Axis *axis, Places places)
     }
 }
 
-static void write_section(Plot *plot, void *given)
+static bool draw_section(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
+    const char *results = exercise_of(wrong)->results;
+    Places right = read_places(wrong->right, results), yours = read_places(wrong->yours, results);
+    Section section = read_section(wrong->question, right.kind == HIT);
     double unit = vec3_length(section.ray.direction);
     Range x = {0, unit}, y = {0, 0};
-    Places right = section.right, yours = section.yours;
+    if (is_bad(wrong) || !are_drawable(right) || !are_drawable(yours) ||
+        right.count + yours.count == 0 || !(unit > 0))
+        return false;
     plot_look_flat(plot);
     plot_number(plot, "unit", unit);
-    write_spheres(plot, &x, &y);
+    write_spheres(plot, &section, &x, &y);
     for (int i = 0; i < right.count; i++)
         range_add(&x, right.t[i] * unit);
     bool has_eye = range_try(&x, 0), has_arrow = has_eye && range_try(&x, unit);
@@ -317,17 +319,12 @@ static void write_section(Plot *plot, void *given)
     plot_lines_up(plot, &axis, right);
     plot_lines_up(plot, &axis, seen);
     say_places(plot, wrong, right, yours, seen, "dashed");
+    return true;
 }
 
 // ---- the parabola of a quadratic, and its roots on the t axis ----------------------------------
 
 enum { SAMPLES = 120 };
-
-static struct {
-    bool are_roots; // the equation is given; else it is the answer
-    Quadratic right, yours;
-    Places right_roots, your_roots;
-} equation;
 
 static double value(Quadratic q, double t)
 {
@@ -337,24 +334,6 @@ static double value(Quadratic q, double t)
 static bool is_finite(Quadratic q)
 {
     return isfinite(q.a) && isfinite(q.b) && isfinite(q.c);
-}
-
-static bool read_equation(Wrong *wrong)
-{
-    const char *results = exercise_of(wrong)->results;
-    equation.are_roots = strcmp(results, "Roots") == 0;
-    equation.right_roots = equation.your_roots = (Places){0};
-    if (equation.are_roots) {
-        NUMBERS_GET(wrong->question, Quadratic, equation.right);
-        equation.yours = equation.right;
-        equation.right_roots = read_places(wrong->right, results);
-        equation.your_roots = read_places(wrong->yours, results);
-        return are_drawable(equation.your_roots) && is_finite(equation.right) &&
-               (equation.right.a != 0 || equation.right.b != 0);
-    }
-    NUMBERS_GET(wrong->right, Quadratic, equation.right);
-    NUMBERS_GET(wrong->yours, Quadratic, equation.yours);
-    return is_finite(equation.yours) && equation.right.a != 0;
 }
 
 // The lowest or highest point of the parabola, by search: each step removes a third of the range.
@@ -423,40 +402,55 @@ static Text quadratic_words(Quadratic q)
     return text;
 }
 
-static void write_equation(Plot *plot, void *given)
+// The equation is given, and its roots are the answer; or it is the answer itself.
+static bool draw_equation(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
-    Range t = range_of(equation.right, equation.right_roots), f = {0, 0};
-    add_values(&f, equation.right, t);
-    Places yours = equation.your_roots, seen = shown(yours, &t, 1);
-    if (!equation.are_roots && equation.yours.a != 0) {
-        Range other = range_of(equation.yours, yours);
+    const char *results = exercise_of(wrong)->results;
+    bool are_roots = strcmp(results, "Roots") == 0;
+    Quadratic right, yours;
+    Places right_roots = {.count = 0}, your_roots = {.count = 0};
+    NUMBERS_GET(are_roots ? wrong->question : wrong->right, Quadratic, right);
+    if (are_roots) {
+        yours = right;
+        right_roots = read_places(wrong->right, results);
+        your_roots = read_places(wrong->yours, results);
+    } else {
+        NUMBERS_GET(wrong->yours, Quadratic, yours);
+    }
+    if (is_bad(wrong) || !are_drawable(your_roots) || !is_finite(yours) ||
+        (right.a == 0 && !(are_roots && right.b != 0)))
+        return false;
+    Range t = range_of(right, right_roots), f = {0, 0};
+    add_values(&f, right, t);
+    Places seen = shown(your_roots, &t, 1);
+    if (!are_roots && yours.a != 0) {
+        Range other = range_of(yours, your_roots);
         if (range_try(&t, other.low) && range_try(&t, other.high))
-            add_values(&f, equation.yours, other);
+            add_values(&f, yours, other);
     }
     if (t.low > 0 && t.low < t.high - t.low)
         t.low = 0;
     double scale = 0.4 * (t.high - t.low) / (f.high - f.low);
     plot_look_flat(plot);
-    plot_number(plot, "are_roots", equation.are_roots);
+    plot_number(plot, "are_roots", are_roots);
     plot_number(plot, "scale_of_f", scale);
-    plot_label(plot, "equation", quadratic_words(equation.right).s);
-    int rows = write_curve(plot, "curve", equation.right, t, f, scale);
-    int your_rows = write_curve(plot, "your_curve", equation.yours, t, f, scale);
-    if (!equation.are_roots) {
+    plot_label(plot, "equation", quadratic_words(right).s);
+    int rows = write_curve(plot, "curve", right, t, f, scale);
+    int your_rows = write_curve(plot, "your_curve", yours, t, f, scale);
+    if (!are_roots) {
         plot_name(plot,
                   (Label){"expected", "blue", .block = "curve", .row = rows / 6, .part = ANYWHERE});
         if (your_rows > 6) // else it is too high or too low to be seen
             plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "your_curve",
                                     .row = your_rows * 5 / 6, .part = ANYWHERE});
     }
-    write_axis(plot, &(Axis){t.low, t.high, 1, 0, equation.right_roots, seen});
-    if (equation.are_roots)
-        say_places(plot, wrong, equation.right_roots, yours, seen, "as rings");
+    write_axis(plot, &(Axis){t.low, t.high, 1, 0, right_roots, seen});
+    if (are_roots)
+        say_places(plot, wrong, right_roots, your_roots, seen, "as rings");
     else
         say(plot, wrong,
-            (BesideWords){quadratic_words(equation.right).s, quadratic_words(equation.yours).s, "",
-                          "dashed"});
+            (BesideWords){quadratic_words(right).s, quadratic_words(yours).s, "", "dashed"});
+    return true;
 }
 
 // ---- places on the screen and in the unit square ------------------------------------------------
@@ -497,12 +491,6 @@ static void name_panel(Plot *plot, const char *name, Panel panel)
     plot_name(plot, (Label){pair_text(box.right, box.bottom).s, "grey", .block = name, .row = 2});
 }
 
-static struct {
-    bool has_given;
-    double given[2], right[2], yours[2];
-    Panel from, into;
-} places;
-
 static const Panel unit_square = {{0, 1, 0, 1}, false};
 
 static Panel whole_screen(Resolution screen)
@@ -516,33 +504,6 @@ static void get_pair(Numbers *numbers, double pair[2])
     NUMBERS_GET(numbers, double, pair[1]);
 }
 
-static bool read_place(Wrong *wrong)
-{
-    const Exercise *types = exercise_of(wrong);
-    Resolution screen = {1, 1};
-    Pixel pixel = {0, 0};
-    places.has_given = strcmp(types->arguments, "Pixel") != 0;
-    if (places.has_given) {
-        get_pair(wrong->question, places.given);
-        NUMBERS_GET(wrong->question, Resolution, screen);
-        bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
-        places.from = to_screen ? unit_square : whole_screen(screen);
-        places.into = to_screen ? whole_screen(screen) : unit_square;
-    } else {
-        NUMBERS_GET(wrong->question, Pixel, pixel);
-        places.from = places.into =
-            (Panel){{pixel.column, pixel.column + 1, pixel.row, pixel.row + 1}, true};
-        memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
-    }
-    get_pair(wrong->right, places.right);
-    get_pair(wrong->yours, places.yours);
-    Range x = {places.into.box.left, places.into.box.right};
-    Range y = {places.into.box.top, places.into.box.bottom};
-    range_add(&x, places.right[0]);
-    range_add(&y, places.right[1]);
-    return range_try(&x, places.yours[0]) && range_try(&y, places.yours[1]);
-}
-
 static void write_dot(Plot *plot, const char *name, Panel panel, const double place[2])
 {
     plot_point(plot, name, drawn(panel, place));
@@ -550,30 +511,50 @@ static void write_dot(Plot *plot, const char *name, Panel panel, const double pl
     plot_fit(plot, drawn(panel, place), 0);
 }
 
-static void write_place(Plot *plot, void *given)
+static bool draw_place(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
-    const Room left = {0.03, 0.44, 0.06, 0.84}, right = {0.56, 0.97, 0.06, 0.84};
+    const Room left_room = {0.03, 0.44, 0.06, 0.84}, right_room = {0.56, 0.97, 0.06, 0.84};
+    const Exercise *types = exercise_of(wrong);
+    bool has_given = strcmp(types->arguments, "Pixel") != 0;
+    double given[2], right[2], yours[2];
+    Panel from = unit_square, into = unit_square;
+    if (has_given) {
+        Resolution screen;
+        get_pair(wrong->question, given);
+        NUMBERS_GET(wrong->question, Resolution, screen);
+        *(strcmp(types->results, "ScreenPoint") == 0 ? &into : &from) = whole_screen(screen);
+    } else {
+        Pixel pixel;
+        NUMBERS_GET(wrong->question, Pixel, pixel);
+        into = (Panel){{pixel.column, pixel.column + 1, pixel.row, pixel.row + 1}, true};
+    }
+    get_pair(wrong->right, right);
+    get_pair(wrong->yours, yours);
+    Range x = {into.box.left, into.box.right}, y = {into.box.top, into.box.bottom};
+    range_add(&x, right[0]);
+    range_add(&y, right[1]);
+    if (is_bad(wrong) || !range_try(&x, yours[0]) || !range_try(&y, yours[1]))
+        return false;
     Text off;
     plot_look_flat(plot);
-    plot_number(plot, "has_given", places.has_given);
-    if (places.has_given) {
-        plot_room(plot, right, right);
+    plot_number(plot, "has_given", has_given);
+    if (has_given) {
+        plot_room(plot, right_room, right_room);
         const Room arrow = {0.46, 0.54, 0.42, 0.48};
         plot_keep_clear(plot, arrow, arrow);
     }
-    write_panel(plot, "into", places.into);
-    name_panel(plot, "into", places.into);
-    write_dot(plot, "right", places.into, places.right);
-    write_dot(plot, "yours", places.into, places.yours);
+    write_panel(plot, "into", into);
+    name_panel(plot, "into", into);
+    write_dot(plot, "right", into, right);
+    write_dot(plot, "yours", into, yours);
     plot_name(plot, (Label){"expected", "blue", .block = "right"});
     plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "yours"});
     plot_panel(plot, 2);
-    plot_room(plot, left, left);
-    if (places.has_given) {
-        write_panel(plot, "from", places.from);
-        name_panel(plot, "from", places.from);
-        write_dot(plot, "given", places.from, places.given);
+    plot_room(plot, left_room, left_room);
+    if (has_given) {
+        write_panel(plot, "from", from);
+        name_panel(plot, "from", from);
+        write_dot(plot, "given", from, given);
         plot_name(plot, (Label){"{given}", "ink", .block = "given"});
     } else {
         plot_point(plot, "from", vec3_of(NAN, NAN, NAN));
@@ -581,51 +562,30 @@ static void write_place(Plot *plot, void *given)
     }
     double by[2]; // rounding is not a difference
     for (int i = 0; i < 2; i++)
-        by[i] = same_within(places.yours[i], places.right[i], 1e-12)
-                    ? 0
-                    : places.yours[i] - places.right[i];
+        by[i] = same_within(yours[i], right[i], 1e-12) ? 0 : yours[i] - right[i];
     snprintf(off.s, sizeof off.s, "off by %.100s", pair_text(by[0], by[1]).s);
     say(plot, wrong,
-        (BesideWords){pair_text(places.right[0], places.right[1]).s,
-                      pair_text(places.yours[0], places.yours[1]).s, off.s, "as a ring"});
+        (BesideWords){pair_text(right[0], right[1]).s, pair_text(yours[0], yours[1]).s, off.s,
+                      "as a ring"});
+    return true;
 }
 
 // ---- a rectangle on the screen: the right one, yours, and the sphere's outline -----------------
 
-static struct {
-    Camera camera;
-    Resolution screen;
-    Sphere sphere;
-    ScreenRectangle right, yours;
-} asked;
-
-static bool read_rectangle(Wrong *wrong)
-{
-    NUMBERS_GET(wrong->question, Camera, asked.camera);
-    NUMBERS_GET(wrong->question, Resolution, asked.screen);
-    NUMBERS_GET(wrong->question, Sphere, asked.sphere);
-    NUMBERS_GET(wrong->right, ScreenRectangle, asked.right);
-    NUMBERS_GET(wrong->yours, ScreenRectangle, asked.yours);
-    Range x = {0, asked.screen.width}, y = {0, asked.screen.height};
-    return range_try(&x, asked.yours.left) && range_try(&x, asked.yours.right) &&
-           range_try(&y, asked.yours.top) && range_try(&y, asked.yours.bottom);
-}
-
 // Too small to be seen as a rectangle: the layout marks its place.
-static bool is_tiny(ScreenRectangle box)
+static bool is_tiny(ScreenRectangle box, Resolution screen)
 {
-    return fabs(box.right - box.left) < 0.005 * asked.screen.width &&
-           fabs(box.bottom - box.top) < 0.005 * asked.screen.height;
+    return fabs(box.right - box.left) < 0.005 * screen.width &&
+           fabs(box.bottom - box.top) < 0.005 * screen.height;
 }
 
 // The points of the sphere that are on its outline are a circle, nearer to the eye than the centre.
 // If the sphere is around the eye, beside it or behind it, there is none.
-static void write_outline(Plot *plot)
+static void write_outline(Plot *plot, Camera c, Resolution screen, Sphere sphere)
 {
     enum { POINTS = 120 };
-    Camera c = asked.camera;
-    vec3 to = asked.sphere.center - c.origin, axis = vec3_unit(to);
-    double r = asked.sphere.radius, nearer = 1 - r * r / vec3_dot(to, to);
+    vec3 to = sphere.center - c.origin, axis = vec3_unit(to);
+    double r = sphere.radius, nearer = 1 - r * r / vec3_dot(to, to);
     bool seen = vec3_dot(to, c.forward) > 1.001 * r;
     vec3 other = fabs(vec3_dot(axis, c.up)) < 0.9 ? c.up : c.right;
     vec3 one = vec3_unit(vec3_cross(axis, other)), two = vec3_cross(axis, one);
@@ -634,11 +594,11 @@ static void write_outline(Plot *plot)
         double angle = 2 * PI * i / POINTS;
         vec3 p = nearer * to + r * sqrt(fmax(nearer, 0)) * (cos(angle) * one + sin(angle) * two);
         double d = c.distance / vec3_dot(p, c.forward);
-        double x = (0.5 + d * vec3_dot(p, c.right) / c.width) * asked.screen.width;
-        double y = (0.5 - d * vec3_dot(p, c.up) / c.height) * asked.screen.height;
+        double x = (0.5 + d * vec3_dot(p, c.right) / c.width) * screen.width;
+        double y = (0.5 - d * vec3_dot(p, c.up) / c.height) * screen.height;
         // Beyond the screen there is nothing to see; a point there is moved to its edge.
-        x = fmin(fmax(x, 0), asked.screen.width);
-        y = fmin(fmax(y, 0), asked.screen.height);
+        x = fmin(fmax(x, 0), screen.width);
+        y = fmin(fmax(y, 0), screen.height);
         if (seen)
             plot_row_point(plot, vec3_of(x, -y, 0));
     }
@@ -655,22 +615,34 @@ static Text box_words(ScreenRectangle box)
     return text;
 }
 
-static void write_rectangle(Plot *plot, void *given)
+static bool draw_rectangle(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
-    Panel screen = whole_screen(asked.screen);
+    Camera camera;
+    Resolution size;
+    Sphere sphere;
+    ScreenRectangle right, yours;
+    NUMBERS_GET(wrong->question, Camera, camera);
+    NUMBERS_GET(wrong->question, Resolution, size);
+    NUMBERS_GET(wrong->question, Sphere, sphere);
+    NUMBERS_GET(wrong->right, ScreenRectangle, right);
+    NUMBERS_GET(wrong->yours, ScreenRectangle, yours);
+    Range x = {0, size.width}, y = {0, size.height};
+    if (is_bad(wrong) || !range_try(&x, yours.left) || !range_try(&x, yours.right) ||
+        !range_try(&y, yours.top) || !range_try(&y, yours.bottom))
+        return false;
+    Panel screen = whole_screen(size);
     plot_look_flat(plot);
     write_panel(plot, "frame", screen);
-    write_outline(plot);
-    write_panel(plot, "answer", (Panel){asked.right, true});
-    write_panel(plot, "yours", (Panel){asked.yours, true});
-    plot_number(plot, "is_tiny", is_tiny(asked.yours));
+    write_outline(plot, camera, size, sphere);
+    write_panel(plot, "answer", (Panel){right, true});
+    write_panel(plot, "yours", (Panel){yours, true});
+    plot_number(plot, "is_tiny", is_tiny(yours, size));
     name_panel(plot, "frame", screen);
     plot_name(plot, (Label){"expected", "blue", .block = "answer", .row = 1, .part = ANYWHERE});
     plot_name(plot,
               (Label){"yours", "ink", .step = 2, .block = "yours", .row = 3, .part = ANYWHERE});
-    say(plot, wrong,
-        (BesideWords){box_words(asked.right).s, box_words(asked.yours).s, "", "dashed"});
+    say(plot, wrong, (BesideWords){box_words(right).s, box_words(yours).s, "", "dashed"});
+    return true;
 }
 
 // ---- vectors from the eye to the image plane, rays, and cameras ---------------------------------
@@ -701,63 +673,27 @@ static bool is_same_place(vec3 a, vec3 b)
 
 // ---- a vector or a ray from the eye ------------------------------------------------------------
 
-static struct {
-    Camera camera;
-    vec3 corners[4]; // from the eye
-    Ray right, yours;
-    bool is_ray;
-} view;
-
-static bool read_vector(Wrong *wrong)
-{
-    Camera c;
-    NUMBERS_GET(wrong->question, Camera, c);
-    view.camera = c;
-    view.is_ray = strcmp(exercise_of(wrong)->results, "Ray") == 0;
-    view.right.origin = view.yours.origin = c.origin;
-    if (view.is_ray) {
-        NUMBERS_GET(wrong->right, Ray, view.right);
-        NUMBERS_GET(wrong->yours, Ray, view.yours);
-    } else {
-        NUMBERS_GET(wrong->right, vec3, view.right.direction);
-        NUMBERS_GET(wrong->yours, vec3, view.yours.direction);
-    }
-    double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
-    for (int i = 0; i < wrong->corners->count; i++)
-        view.corners[i / 3][i % 3] = wrong->corners->at[i];
-    return wrong->corners->count == 12 && (!view.is_ray || length > 0) &&
-           is_near(view.yours.origin, view.right.origin, size) &&
-           (is_near(view.yours.direction, view.right.direction, size) ||
-            (view.is_ray && isfinite(length)));
-}
-
-// Between two corners, and two others: across from the left, up from the bottom.
-static vec3 place(double across, double up)
-{
-    vec3 top = view.corners[0] + across * (view.corners[1] - view.corners[0]);
-    vec3 bottom = view.corners[3] + across * (view.corners[2] - view.corners[3]);
-    return view.camera.origin + bottom + up * (top - bottom);
-}
-
-static void write_plane(Plot *plot)
+// Of the image plane, whose corners are seen from the eye, from the upper left on.
+static void write_plane(Plot *plot, vec3 eye, const vec3 corners[4])
 {
     plot_block(plot, "plane", "x y z of the corners, from the upper left on");
     for (int i = 0; i < 5; i++)
-        plot_row_point(plot, view.camera.origin + view.corners[i % 4]);
+        plot_row_point(plot, eye + corners[i % 4]);
     plot_block_end(plot);
     plot_block(plot, "grid", "x y z of the two ends of a line");
+    vec3 origin = eye + corners[3], across = corners[2] - corners[3], up = corners[0] - corners[3];
     for (int i = 1; i < GRID; i++) {
         double part = (double)i / GRID;
-        plot_row_point(plot, place(part, 0));
-        plot_row_point(plot, place(part, 1));
+        plot_row_point(plot, origin + part * across);
+        plot_row_point(plot, origin + part * across + up);
         plot_gap(plot);
-        plot_row_point(plot, place(0, part));
-        plot_row_point(plot, place(1, part));
+        plot_row_point(plot, origin + part * up);
+        plot_row_point(plot, origin + part * up + across);
         plot_gap(plot);
     }
     plot_block_end(plot);
     for (int i = 0; i < 4; i++)
-        plot_fit(plot, view.camera.origin + view.corners[i], 0);
+        plot_fit(plot, eye + corners[i], 0);
 }
 
 // The length of a ray is free: it is drawn as long as the right one.
@@ -794,16 +730,29 @@ static Text ray_off(Ray right, Ray yours)
     return text;
 }
 
-static void write_vector(Plot *plot, void *given)
+static bool draw_vector(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
-    Camera c = view.camera;
-    Ray right = view.right, yours = view.yours;
+    Camera c;
+    vec3 corners[4] = {{0}};
+    NUMBERS_GET(wrong->question, Camera, c);
+    for (int i = 0; i < wrong->corners->count; i++)
+        corners[i / 3][i % 3] = wrong->corners->at[i];
+    bool is_ray = strcmp(exercise_of(wrong)->results, "Ray") == 0;
+    Ray right = {.origin = c.origin}, yours = right;
+    numbers_get(wrong->right, is_ray ? &type_Ray : &type_vec3,
+                is_ray ? (void *)&right : &right.direction);
+    numbers_get(wrong->yours, is_ray ? &type_Ray : &type_vec3,
+                is_ray ? (void *)&yours : &yours.direction);
+    double size = vec3_length(right.direction), length = vec3_length(yours.direction);
+    if (is_bad(wrong) || wrong->corners->count != 12 || (is_ray && !(length > 0)) ||
+        !is_near(yours.origin, right.origin, size) ||
+        !(is_near(yours.direction, right.direction, size) || (is_ray && isfinite(length))))
+        return false;
     write_frame(plot, c.right, c.up, c.forward);
     plot_point(plot, "eye", c.origin);
     plot_fit(plot, c.origin, 0);
-    write_plane(plot);
-    if (view.is_ray) {
+    write_plane(plot, c.origin, corners);
+    if (is_ray) {
         bool moved = !is_same_place(yours.origin, right.origin);
         say(plot, wrong,
             (BesideWords){ray_words(right, moved).s, ray_words(yours, moved).s,
@@ -818,30 +767,24 @@ static void write_vector(Plot *plot, void *given)
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
     plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
     beside_names(plot);
+    return true;
 }
 
 // ---- a ray in object coordinates ---------------------------------------------------------------
 
-static double radius;
-
-static bool read_ray(Wrong *wrong)
+static bool draw_ray(Plot *plot, Wrong *wrong)
 {
-    Ray ray;
+    Ray ray, right, yours;
     Sphere sphere;
     NUMBERS_GET(wrong->question, Ray, ray);
     NUMBERS_GET(wrong->question, Sphere, sphere);
-    NUMBERS_GET(wrong->right, Ray, view.right);
-    NUMBERS_GET(wrong->yours, Ray, view.yours);
-    radius = sphere.radius;
-    double size = radius + vec3_length(view.right.origin) + vec3_length(view.right.direction);
-    return is_near(view.yours.origin, view.right.origin, size) &&
-           is_near(view.yours.direction, view.right.direction, size);
-}
-
-static void write_ray(Plot *plot, void *given)
-{
-    const Wrong *wrong = given;
-    Ray right = view.right, yours = view.yours;
+    NUMBERS_GET(wrong->right, Ray, right);
+    NUMBERS_GET(wrong->yours, Ray, yours);
+    double radius = sphere.radius;
+    double size = radius + vec3_length(right.origin) + vec3_length(right.direction);
+    if (is_bad(wrong) || !is_near(yours.origin, right.origin, size) ||
+        !is_near(yours.direction, right.direction, size))
+        return false;
     bool moved = !is_same_place(yours.origin, right.origin);
     // Seen from the side, with the sphere's centre not in front of the ray.
     vec3 along = vec3_unit(right.direction);
@@ -862,13 +805,10 @@ static void write_ray(Plot *plot, void *given)
         (BesideWords){ray_words(right, true).s, ray_words(yours, true).s,
                       moved ? ray_off(right, yours).s : "", "dashed"});
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
+    return true;
 }
 
 // ---- a camera: ahead to the plane, its width, its height ---------------------------------------
-
-static struct {
-    Camera right, yours;
-} cameras;
 
 static bool is_drawable(Camera c, double size)
 {
@@ -876,21 +816,6 @@ static bool is_drawable(Camera c, double size)
            vec3_is_finite(c.forward) && fabs(c.distance) * vec3_length(c.forward) <= FAR * size &&
            fabs(c.width) * vec3_length(c.right) <= FAR * size &&
            fabs(c.height) * vec3_length(c.up) <= FAR * size;
-}
-
-static bool read_camera(Wrong *wrong)
-{
-    CameraFault right = CAMERA_OK, yours = CAMERA_OK;
-    if (strcmp(exercise_of(wrong)->results, "Camera") != 0) {
-        NUMBERS_GET(wrong->right, CameraFault, right);
-        NUMBERS_GET(wrong->yours, CameraFault, yours);
-    }
-    NUMBERS_GET(wrong->right, Camera, cameras.right);
-    NUMBERS_GET(wrong->yours, Camera, cameras.yours);
-    Camera c = cameras.right;
-    double size = c.distance + c.width + c.height;
-    return right == CAMERA_OK && yours == CAMERA_OK && is_drawable(cameras.yours, size) &&
-           is_near(cameras.yours.origin, c.origin, size);
 }
 
 static void write_arms(Plot *plot, const char *name, Camera c)
@@ -928,10 +853,20 @@ static void compare_numbers(Text *right, Text *yours, const char *name, double a
 }
 
 // Only what differs.
-static void write_camera(Plot *plot, void *given)
+static bool draw_camera(Plot *plot, Wrong *wrong)
 {
-    const Wrong *wrong = given;
-    Camera a = cameras.right, b = cameras.yours;
+    CameraFault fault = CAMERA_OK, your_fault = CAMERA_OK;
+    Camera a, b;
+    if (strcmp(exercise_of(wrong)->results, "Camera") != 0) {
+        NUMBERS_GET(wrong->right, CameraFault, fault);
+        NUMBERS_GET(wrong->yours, CameraFault, your_fault);
+    }
+    NUMBERS_GET(wrong->right, Camera, a);
+    NUMBERS_GET(wrong->yours, Camera, b);
+    double size = a.distance + a.width + a.height;
+    if (is_bad(wrong) || fault != CAMERA_OK || your_fault != CAMERA_OK || !is_drawable(b, size) ||
+        !is_near(b.origin, a.origin, size))
+        return false;
     Text right = {""}, yours = {""};
     compare_numbers(&right, &yours, "d", a.distance, b.distance);
     compare_numbers(&right, &yours, "w", a.width, b.width);
@@ -953,36 +888,31 @@ static void write_camera(Plot *plot, void *given)
     };
     plot_names(plot, names, sizeof names / sizeof *names);
     say(plot, wrong, (BesideWords){right.s, yours.s, "", "dashed"});
+    return true;
 }
 
 // ---- the kind of figure, and its file -----------------------------------------------------------
-
-// Each reads the call; false if it cannot be drawn. Then its data are written.
-typedef bool FigureReader(Wrong *wrong);
-typedef void FigureWriter(Plot *plot, void *wrong);
 
 // By the arguments and the results, as words (exercise.h); the first that fits. Arguments: how they
 // begin.
 static const struct {
     const char *arguments, *results;
     const char *layout;
-    FigureReader *read;
-    FigureWriter *write;
+    bool (*draw)(Plot *plot, Wrong *wrong); // false if that cannot be drawn
 } kinds[] = {
-    {"Camera", "vec3", "chapters/01-corners/figures/yours-and-right.gp", read_vector, write_vector},
-    {"Camera", "Ray", "chapters/01-corners/figures/yours-and-right.gp", read_vector, write_vector},
-    {"", "Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
-    {"", "CameraFault Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
-    {"", "Normalized", "tests/judge/layouts/place.gp", read_place, write_place},
-    {"", "ScreenPoint", "tests/judge/layouts/place.gp", read_place, write_place},
-    {"Camera", "ScreenRectangle", "tests/judge/layouts/rectangle.gp", read_rectangle,
-     write_rectangle},
-    {"Ray Sphere", "Ray", "tests/judge/layouts/ray.gp", read_ray, write_ray},
-    {"Ray", "Quadratic", "tests/judge/layouts/equation.gp", read_equation, write_equation},
-    {"Quadratic", "Roots", "tests/judge/layouts/equation.gp", read_equation, write_equation},
-    {"Ray Sphere", "Roots", "tests/judge/layouts/section.gp", read_section, write_section},
-    {"Ray Sphere", "double", "tests/judge/layouts/section.gp", read_section, write_section},
-    {"Ray Scene", "Hit", "tests/judge/layouts/section.gp", read_section, write_section},
+    {"Camera", "vec3", "chapters/01-corners/figures/yours-and-right.gp", draw_vector},
+    {"Camera", "Ray", "chapters/01-corners/figures/yours-and-right.gp", draw_vector},
+    {"", "Camera", "tests/judge/layouts/camera.gp", draw_camera},
+    {"", "CameraFault Camera", "tests/judge/layouts/camera.gp", draw_camera},
+    {"", "Normalized", "tests/judge/layouts/place.gp", draw_place},
+    {"", "ScreenPoint", "tests/judge/layouts/place.gp", draw_place},
+    {"Camera", "ScreenRectangle", "tests/judge/layouts/rectangle.gp", draw_rectangle},
+    {"Ray Sphere", "Ray", "tests/judge/layouts/ray.gp", draw_ray},
+    {"Ray", "Quadratic", "tests/judge/layouts/equation.gp", draw_equation},
+    {"Quadratic", "Roots", "tests/judge/layouts/equation.gp", draw_equation},
+    {"Ray Sphere", "Roots", "tests/judge/layouts/section.gp", draw_section},
+    {"Ray Sphere", "double", "tests/judge/layouts/section.gp", draw_section},
+    {"Ray Scene", "Hit", "tests/judge/layouts/section.gp", draw_section},
 };
 
 static bool path_of(char *path, size_t size, const char *folder, const char *function,
@@ -1000,6 +930,12 @@ void figure_forget(const char *folder, const char *function)
             remove(path);
 }
 
+static void write_data(Plot *plot, void *given)
+{
+    Wrong *wrong = given;
+    wrong->is_drawn = wrong->draw(plot, wrong);
+}
+
 static void write_figure(const char *path, Wrong *wrong)
 {
     const Exercise *types = exercise_of(wrong);
@@ -1007,14 +943,13 @@ static void write_figure(const char *path, Wrong *wrong)
         if (strcmp(types->results, kinds[i].results) != 0 ||
             strncmp(types->arguments, kinds[i].arguments, strlen(kinds[i].arguments)) != 0)
             continue;
-        bool good = kinds[i].read(wrong) && !wrong->question->bad && !wrong->right->bad &&
-                    !wrong->yours->bad;
-        FILE *file = good ? fopen(path, "w") : NULL;
+        FILE *file = fopen(path, "w");
         if (file == NULL)
             return;
-        Figure figure = {wrong->function, kinds[i].write};
-        good = plot_script(file, kinds[i].layout, &figure, NULL, NULL, wrong);
-        if (fclose(file) != 0 || !good)
+        wrong->draw = kinds[i].draw;
+        Figure figure = {wrong->function, write_data};
+        bool good = plot_script(file, kinds[i].layout, &figure, NULL, NULL, wrong);
+        if (fclose(file) != 0 || !good || !wrong->is_drawn)
             remove(path);
         return;
     }
@@ -1076,7 +1011,7 @@ void figure_write(const char *folder, const Record *record, const Numbers *yours
     Numbers question = again(&stopped_at->arguments), right = again(&stopped_at->results[0]);
     Numbers answer = again(yours);
     why_of(why, sizeof why, diagnosis);
-    Wrong wrong = {function, &stopped_at->corners, &question, &right, &answer, why};
+    Wrong wrong = {function, &stopped_at->corners, &question, &right, &answer, why, NULL, false};
     bool is_picture = strncmp(exercise_of(&wrong)->results, "Pixels", 6) == 0;
     if (!path_of(path, sizeof path, folder, function, is_picture ? ".png" : ".gp"))
         return;
