@@ -309,11 +309,6 @@ static void check_machine(int status)
     }
 }
 
-static struct {
-    Patience left;
-    int moved; // while sending: the result of process_send
-} sent;
-
 static uint64_t next_nonce(void)
 {
     static uint64_t fresh[32]; // the system is not asked for each call
@@ -323,25 +318,14 @@ static uint64_t next_nonce(void)
     return left > 0 ? fresh[--left] : nonce + 1;
 }
 
-static void send_call(int exercise, const Numbers *question)
+// moved: the result of process_send. If no answer comes: why, and the process has ended.
+static bool wait_for_answer(int exercise, Patience left, int moved)
 {
-    called = exercise;
-    if (!process_start())
-        give_up_on_machine("an answering process cannot be started", errno);
-    nonce = next_nonce();
-    sent.left = patience_begin();
-    size_of_call = question->count;
-    pass_on_call(question);
-    sent.moved = send(MESSAGE_CALL, exercise, question, &sent.left);
-}
-
-// If no answer comes: why, and the process has ended.
-static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
-{
-    *how = HOW_CRASHED;
+    How *how = &broken[exercise].how;
+    char *why = broken[exercise].why;
+    const size_t size = sizeof broken[exercise].why;
     MessageHeader answer = {0};
-    Patience left = sent.left;
-    int moved = sent.moved;
+    *how = HOW_CRASHED;
     // A process that has ended may have reported why.
     if (moved != 0)
         moved = receive(&answer, &message, &left);
@@ -389,9 +373,15 @@ static Numbers *ask(int exercise, Numbers *question)
 {
     if (broken[exercise].why[0] != '\0')
         break_off(exercise);
-    send_call(exercise, question);
-    if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
-                         sizeof broken[exercise].why))
+    if (!process_start())
+        give_up_on_machine("an answering process cannot be started", errno);
+    called = exercise;
+    nonce = next_nonce();
+    size_of_call = question->count;
+    pass_on_call(question);
+    Patience left = patience_begin();
+    int moved = send(MESSAGE_CALL, exercise, question, &left);
+    if (!wait_for_answer(exercise, left, moved))
         break_off(exercise);
     return &message;
 }
