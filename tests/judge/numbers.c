@@ -337,7 +337,8 @@ bool doubles_overran(const double *doubles, const Image *image)
 
 // ---- the results of an exercise ----------------------------------------------------------------
 
-int numbers_of_pixels(const char *types, const Numbers *numbers)
+// How many of these results are bytes of pixels; depths may follow them.
+static int numbers_of_pixels(const char *types, const Numbers *numbers)
 {
     return strcmp(types, "Pixels") == 0           ? numbers->count
            : strcmp(types, "Pixels Doubles") == 0 ? numbers->count / 4 * 3
@@ -360,47 +361,31 @@ void numbers_check(Numbers *numbers, const char *types, int count)
     }
 }
 
-// The name of the field that a number belongs to, or NULL after the last; and how many there are.
 typedef struct {
-    int place, count;
-    const char *name;
-} Find;
+    int count;
+    const char **names;
+} Names;
 
-static void find_number(void *context, const char *name, void *at, size_t size, bool is_double)
+static void add_name(void *context, const char *name, void *at, size_t size, bool is_double)
 {
-    Find *find = context;
+    Names *all = context;
     (void)at, (void)size, (void)is_double;
-    if (find->count++ == find->place)
-        find->name = name;
+    if (all->count < MOST_PLACES)
+        all->names[all->count++] = name;
 }
 
-static const char *find_place(const char *words, int place, int *count)
+int layout_names(const char *types, const char *names[MOST_PLACES])
 {
     char name[32];
     int used = 0;
-    Find find = {place, 0, NULL};
-    for (; sscanf(words, " %31s%n", name, &used) == 1; words += used) {
+    Names all = {0, names};
+    for (; sscanf(types, " %31s%n", name, &used) == 1; types += used) {
         _Alignas(32) unsigned char value[TYPE_MOST_BYTES] = {0};
         const Type *type = type_named(name);
         if (type != NULL && type_is_flat(type))
-            type_visit(type, "", value, find_number, &find);
+            type_visit(type, "", value, add_name, &all);
     }
-    *count = find.count;
-    return find.name;
-}
-
-int layout_places(const char *words)
-{
-    int count;
-    find_place(words, -1, &count);
-    return count;
-}
-
-const char *layout_place(const char *words, int place)
-{
-    int count;
-    const char *name = find_place(words, place, &count);
-    return name == NULL ? "" : name;
+    return all.count;
 }
 
 bool layout_is_step(const Exercise *exercise)

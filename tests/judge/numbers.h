@@ -69,13 +69,11 @@ void numbers_get_into_doubles(Numbers *numbers, double *doubles, const Image *im
 // exercise has them (exercise.h).
 void numbers_check(Numbers *numbers, const char *types, int count);
 
-// How many of these results are bytes of pixels; depths may follow them.
-int numbers_of_pixels(const char *types, const Numbers *numbers);
-
-// Of types without arrays: how many numbers they are, and the name of the field that a number
-// belongs to; "" if the type has no fields.
-int layout_places(const char *types);
-const char *layout_place(const char *types, int place);
+// Of types without arrays: how many numbers they are, and the name of the field that each belongs
+// to;
+// "" if the type has no fields.
+enum { MOST_PLACES = 40 };
+int layout_names(const char *types, const char *names[MOST_PLACES]);
 
 // Whether the result is a point of a sphere, moved; that point begins at this argument.
 enum { STEP_FROM = 5 };

@@ -511,16 +511,16 @@ static const char *fields_that(const Evidence *evidence, IsSo *is_so)
 {
     static char words[200];
     const char *last = NULL;
-    const char *results = exercises[evidence->exercise].results;
+    const char *names[MOST_PLACES];
+    int count = layout_names(exercises[evidence->exercise].results, names);
     words[0] = '\0';
-    for (int i = 0; i < layout_places(results); i++) {
-        const char *name = layout_place(results, i);
-        if (!is_so(evidence, i) || (last != NULL && strcmp(name, last) == 0))
+    for (int i = 0; i < count; i++) {
+        if (!is_so(evidence, i) || (last != NULL && strcmp(names[i], last) == 0))
             continue;
         size_t used = strlen(words);
         snprintf(words + used, sizeof words - used, "%s%s", used > 0 ? ", " : "",
-                 name[0] != '\0' ? name : "the result");
-        last = name;
+                 names[i][0] != '\0' ? names[i] : "the result");
+        last = names[i];
     }
     return words;
 }
@@ -567,11 +567,10 @@ static const char *what_uses_padding(const Evidence *evidence)
 static bool is_always_0(const Evidence *evidence, int place)
 {
     const char *results = exercises[evidence->exercise].results;
-    const char *name = layout_place(results, place);
-    int differs = 0;
-    for (int i = 0; i < layout_places(results); i++)
-        for (int k = 0; k < evidence->call_count && strcmp(layout_place(results, i), name) == 0;
-             k++) {
+    const char *names[MOST_PLACES];
+    int differs = 0, count = layout_names(results, names);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < evidence->call_count && strcmp(names[i], names[place]) == 0; k++) {
             const EvidenceCall *call = &evidence->calls[k];
             bool is_camera = strncmp(results, "CameraFault", 11) == 0;
             if (is_camera && (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK))
@@ -580,7 +579,7 @@ static bool is_always_0(const Evidence *evidence, int place)
                 return false;
             differs += call->right.at[i] != 0;
         }
-    return name[0] != '\0' && differs >= ENOUGH;
+    return names[place][0] != '\0' && differs >= ENOUGH;
 }
 
 static const char *what_is_0(const Evidence *evidence)
