@@ -15,8 +15,6 @@
 // One explanation makes some thousand short strings, which end with it: texts_free() frees them.
 void *text_memory(size_t size); // cleared
 void texts_free(void);
-// A list with room for one more: it is copied when it is full.
-void *text_grown(const void *list, size_t count, size_t size);
 
 const char *text_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 const char *text_part(const char *text, size_t from, size_t length); // as much of it as there is

@@ -45,7 +45,8 @@ void texts_free(void)
     }
 }
 
-void *text_grown(const void *list, size_t count, size_t size)
+// A list with room for one more: it is copied when it is full.
+static void *text_grown(const void *list, size_t count, size_t size)
 {
     // Room for 16, and twice as many whenever it is full.
     if (count > 0 && (count < 16 || (count & (count - 1)) != 0))

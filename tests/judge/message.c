@@ -45,7 +45,7 @@ static Image *image_of(const Exercise *exercise, void *const *arguments)
     return NULL;
 }
 
-void put_arguments(Numbers *numbers, int number, void *const *arguments)
+static void put_arguments(Numbers *numbers, int number, void *const *arguments)
 {
     const Exercise *exercise = &exercises[number];
     const Image *image = image_of(exercise, arguments);
@@ -57,7 +57,7 @@ void put_arguments(Numbers *numbers, int number, void *const *arguments)
     }
 }
 
-void put_results(Numbers *numbers, int number, const void *result, void *const *arguments)
+static void put_results(Numbers *numbers, int number, const void *result, void *const *arguments)
 {
     const Exercise *exercise = &exercises[number];
     const Image *image = image_of(exercise, arguments);

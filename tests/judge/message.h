@@ -45,8 +45,6 @@ const void *message_block(MessageHeader header, const Numbers *numbers, size_t *
 bool message_make_room(const MessageHeader *header, Numbers *numbers);
 
 // arguments: the address of each, or the pointer itself (exercise.h). result: of the return value.
-void put_arguments(Numbers *numbers, int exercise, void *const *arguments);
-void put_results(Numbers *numbers, int exercise, const void *result, void *const *arguments);
 void get_results(Numbers *numbers, int exercise, void *result, void *const *arguments);
 
 // The size of the image among the arguments of a call.
