@@ -169,8 +169,7 @@ TestSentence test_sentence(const FunctionRecord *function);
 // that these wait for. Nothing if none is.
 void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *called);
 
-// ---- pictures that a student's answers draw (answer_pictures.c)
-// -----------------------------------
+// ---- pictures that a student's answers draw (answer_pictures.c) --------------------------------
 
 // Draws what the answers of a chapter make possible so far (pictures/pictures.def), and says where
 // it is: the function that is wrong, each time; what has become right, once, or again. On a page of

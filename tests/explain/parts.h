@@ -158,8 +158,7 @@ const char *type_of(const char *expression, size_t line);
 const char *type_of_argument(const char *expression, size_t line);
 const char *type_of_function(const char *function);
 
-// ---- a compiler's message about the answer (explain.c)
-// ---------------------------------------------
+// ---- a compiler's message about the answer (explain.c) -----------------------------------------
 
 // The text in single quotes: the first, and the second.
 #define QUOTED "'([^']*)"
@@ -246,8 +245,7 @@ typedef struct {
 
 extern Explanation all;
 
-// ---- help (rules.c)
-// -------------------------------------------------------------------------------
+// ---- help (rules.c) ----------------------------------------------------------------------------
 
 // A line is not wrapped at its blanks.
 #define UNBROKEN "\001"

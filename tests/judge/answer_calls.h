@@ -21,8 +21,7 @@ bool answer_call(void);
 // Reports that the call that is being answered has crashed.
 void answer_crashed(const Crash *crash);
 
-// ---- when a function of the answer is entered (calls_traced.c)
-// ------------------------------------
+// ---- when a function of the answer is entered (calls_traced.c) ---------------------------------
 
 // Answers are compiled with -finstrument-functions, so that each of their functions reports when it
 // is entered. An exercise that a call enters, directly or through others, may be the reason why the

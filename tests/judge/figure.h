@@ -19,8 +19,7 @@ void figure_forget(const char *folder, const char *function);
 void figure_write(const char *folder, const Record *record, const Numbers *yours,
                   Diagnosis diagnosis);
 
-// ---- two pictures of one size, and where they differ
-// ---------------------------------------------
+// ---- two pictures of one size, and where they differ -------------------------------------------
 
 // The largest difference between two bytes of one pixel, which is given by its number.
 int picture_bytes_apart(const Image *yours, const Image *right, size_t pixel);

@@ -72,8 +72,7 @@ bool table_write(const char *path, Table *table);
 // From malloc, one more of it; the new one is all zero.
 void *table_grow(void *items, int *count, size_t size);
 
-// ---- the tests of a table, as those of the stem that was chosen (questions.c)
-// ----------------------
+// ---- the tests of a table, as those of the stem that was chosen (questions.c) ------------------
 
 // They ask the table's questions of whoever answers (message.h), and know the right results.
 

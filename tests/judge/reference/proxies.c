@@ -45,8 +45,7 @@ static void ask(int exercise, void *yours, void *const *arguments)
     IF_VOID(result, PROXY_VOID, PROXY_VALUE)(result, name, parameters)
 #include "tests/exercises.def"
 
-// ---- answers that are linked into this program
-// ---------------------------------------------------
+// ---- answers that are linked into this program -------------------------------------------------
 
 #define EXERCISE(stem, result, name, ...) AnyFunction answer_##name __attribute__((weak));
 #include "tests/exercises.def"
