@@ -30,9 +30,8 @@ CameraFault camera_from_points(vec3 eye, Corners points, Camera *camera);
 CameraFault camera_from_corner(vec3 eye, vec3 lower_left, vec3 across, vec3 up, Camera *camera);
 
 // "Lookat: eye point, lookat point, up vector, width, aspect ratio." The image plane passes through
-// the look-at point; height = width / aspect. world is the handedness of the world: it says on which
-// side right is (camera.h).
-// CAMERA_NO_DIRECTION: the look-at point is the eye.
+// the look-at point; height = width / aspect. world is the handedness of the world: it says on
+// which side right is (camera.h). CAMERA_NO_DIRECTION: the look-at point is the eye.
 // CAMERA_UP_ALONG_VIEW: up is zero, or along or against the view (to CAMERA_TOLERANCE).
 // CAMERA_NO_WIDTH: the width is not positive. CAMERA_NO_HEIGHT: the aspect ratio is not positive.
 // CAMERA_NOT_FINITE: a number is infinite or NaN.
