@@ -12,13 +12,13 @@ typedef struct {
     vec3 origin;     // p, the eye
     vec3 right;      // r, unit
     vec3 up;         // u, unit, at right angles to r
-    vec3 forward;    // f, unit, at right angles to both; either hand
+    vec3 forward;    // f, unit, at right angles to both; either handedness
     double distance; // d > 0, from the eye to the middle of the image plane, along f
     double width;    // w > 0, of the image plane, in the world's units
     double height;   // h > 0
 } Camera;
 
-// Which hand the world has. Thumb to the right, first finger up: the middle finger of the right
+// The handedness of the world. Thumb to the right, first finger up: the middle finger of the right
 // hand points back at you, that of the left hand forward.
 //   right-handed  right = forward x up   NFF scenes, OpenGL, the course's code
 //   left-handed   right = up x forward   the deck's drawings, POV-Ray, pbrt

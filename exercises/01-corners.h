@@ -1,7 +1,7 @@
 // 01-corners.h - exercise 01: from the eye to the image plane.
 //
 // Slides 'Camera' and 'Finding vectors from the eye to the image plane'. All answers are vectors
-// from the eye to a place on the image plane, in the axes and units of the world. Their length is
+// from the eye to a point of the image plane, in the axes and units of the world. Their length is
 // usually not 1. The frame of each camera is unit vectors at right angles; d, w and h are positive
 // (camera.h).
 // Scale: if the world is k times as large, the vector is k times as long. Tests use worlds from
@@ -23,7 +23,7 @@ vec3 upper_right(Camera c);
 // bottom." Returns the vector from the eye to it. Across is counted from the left edge.
 vec3 across_30_up_10(Camera c);
 
-// Returns the vector from the eye to any place: s of the way across from the left edge, t of the
+// Returns the vector from the eye to any point: s of the way across from the left edge, t of the
 // way up from the bottom edge. On the plane, s and t are 0 to 1; the same formula is right outside
 // it.
 vec3 image_plane_vector(Camera c, double s, double t);

@@ -18,8 +18,9 @@
 // CAMERA_OFF_AXIS: the eye is not straight behind the middle of the rectangle.
 // CAMERA_NO_DISTANCE, CAMERA_NO_WIDTH, CAMERA_NO_HEIGHT: the distance, width or height is 0.
 // CAMERA_NOT_FINITE: a number is infinite or NaN.
-// Lengths are equal if they differ by at most CAMERA_TOLERANCE x the edges; an angle is a right
-// angle if its cosine is at most CAMERA_TOLERANCE. Do not refuse a camera because of rounding.
+// Lengths are equal if they differ by at most CAMERA_TOLERANCE x (width + height); an angle is a
+// right angle if its cosine is at most CAMERA_TOLERANCE. Do not refuse a camera because of
+// rounding.
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera);
 
 // "Eye and four points": the points are the corners of the image plane. The same reasons.
@@ -31,8 +32,10 @@ CameraFault camera_from_corner(vec3 eye, vec3 lower_left, vec3 across, vec3 up, 
 
 // "Lookat: eye point, lookat point, up vector, width, aspect ratio." The image plane passes through
 // the look-at point; height = width / aspect. world is the handedness of the world: it says on
-// which side right is (camera.h). CAMERA_NO_DIRECTION: the look-at point is the eye.
-// CAMERA_UP_ALONG_VIEW: up is zero, or along or against the view (to CAMERA_TOLERANCE).
+// which side right is (camera.h).
+// CAMERA_NO_DIRECTION: the look-at point is the eye.
+// CAMERA_UP_ALONG_VIEW: up is zero, or along or against the view: the sine of the angle is at
+// most CAMERA_TOLERANCE.
 // CAMERA_NO_WIDTH: the width is not positive. CAMERA_NO_HEIGHT: the aspect ratio is not positive.
 // CAMERA_NOT_FINITE: a number is infinite or NaN.
 CameraFault camera_from_look_at(LookAt view, Handedness world, Camera *camera);

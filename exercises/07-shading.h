@@ -20,7 +20,7 @@
 // The normal of a sphere at a point of it: a unit vector, at right angles to the surface, outward.
 vec3 surface_normal(Sphere sphere, vec3 point);
 
-// The ray from a place towards a light (scene.h). For a point light, the light itself is at t = 1.
+// The ray from a point towards a light (scene.h). For a point light, the light itself is at t = 1.
 // For a distant light, the direction is the light's own, with its own length, and the same from
 // everywhere.
 Ray ray_to_light(vec3 from, Light light);
@@ -44,18 +44,18 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 // (pow(0, 0) is 1).
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
-// Blinn's variant: the cosine is that of the angle between the normal and the vector half-way
-// between light and eye. Here the eye may be anywhere; if it is behind the surface, black is right
-// as well.
+// Blinn's variant: the cosine is that of the angle between the normal and the halfway vector,
+// which is in the middle between the directions to light and eye. Here the eye may be anywhere; if
+// it is behind the surface, black is right as well.
 Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
-// A point of a sphere, moved off its surface to the side to which normal points, so that a ray from
-// there does not meet the surface where it starts. The distance is at least 2^-32 and at most 2^-28
-// times the size of the numbers. That size is the radius plus the largest absolute value of a
-// coordinate of the centre. Do not use a fixed epsilon: scenes have any size.
+// The shadow bias: a point of a sphere, moved off its surface to the side to which normal points,
+// so that a ray from there does not meet the surface where it starts. The distance is at least
+// 2^-32 and at most 2^-28 times the size of the numbers. That size is the radius plus the largest
+// absolute value of a coordinate of the centre. Do not use a fixed epsilon: scenes have any size.
 vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
 
-// How much of a light arrives at a place: 1, or 0 if any sphere is in between. A sphere beyond a
+// How much of a light arrives at a point: 1, or 0 if any sphere is in between. A sphere beyond a
 // point light is not in between. If a light touches a surface (to 1e-6 of its radius), 0 and 1
 // are both right.
 double visibility(const Scene *scene, vec3 from, Light light);

@@ -8,7 +8,7 @@
 #include "common/answers.h"
 
 // BEGIN SOLUTION
-// From the eye, walk forward to the middle of the plane, then sideways along right, then along up.
+// From the eye forward to the middle of the plane, then sideways along right, then along up.
 // END SOLUTION
 
 vec3 upper_left(Camera c)

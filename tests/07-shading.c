@@ -728,7 +728,7 @@ static void expect_share(Highlight *term, double shine, vec3 to_light, vec3 to_e
 }
 
 // The same if the eye is there, and the light where the cosine that counts is that of the eye and
-// the normal: straight above the surface for Phong; half-way between a direction and itself is that
+// the normal: straight above the surface for Phong; halfway between a direction and itself is that
 // direction.
 static void expect_share_at(Highlight *term, double shine, vec3 there, double share)
 {
@@ -842,9 +842,9 @@ TEST(phong_term, at_a_chosen_angle_from_the_mirrored_light)
     }
 }
 
-// ---- Blinn's, by the half-way vector ------------------------------------------------------------
+// ---- Blinn's, by the halfway vector ------------------------------------------------------------
 
-// Half-way between (0, 1, 0) and (24, 7, 0) / 25 is (3, 4, 0) / 5: twice (3, 4, 0) / 5 times the
+// Halfway between (0, 1, 0) and (24, 7, 0) / 25 is (3, 4, 0) / 5: twice (3, 4, 0) / 5 times the
 // cosine 4 / 5 is their sum. Its cosine with the normal is 4 / 5.
 TEST(halfway_term, the_cosine_with_the_normal_is_raised_to_the_power_of_shine)
 {
@@ -855,7 +855,7 @@ TEST(halfway_term, the_cosine_with_the_normal_is_raised_to_the_power_of_shine)
     expect_halfway_share(4, eye, vec3_of(0, 1, 0), 0.4096);
 }
 
-// Half-way between a direction and itself is that direction; the cosine of (12, 9, 20) / 25 with
+// Halfway between a direction and itself is that direction; the cosine of (12, 9, 20) / 25 with
 // the normal is 9 / 25.
 TEST(halfway_term, shine_need_not_be_a_whole_number_here_either)
 {
@@ -881,7 +881,7 @@ TEST(halfway_term, this_highlight_also_has_the_colour_of_the_light)
                    vec3_of(1.6, 2.4, 0.04));
 }
 
-// Half-way between (4, 3, 0) / 5 and the eye is below the surface: there the cosine is negative,
+// Halfway between (4, 3, 0) / 5 and the eye is below the surface: there the cosine is negative,
 // its square is not.
 TEST(halfway_term, if_half_way_is_below_the_surface_there_is_no_highlight)
 {
@@ -899,7 +899,7 @@ TEST(halfway_term, a_light_behind_the_surface_has_no_highlight_here_either)
     expect_halfway_share(7, vec3_of(12, -3, 4), vec3_of(-3, 5, 1), 0);
 }
 
-// The half-way vector is at a chosen angle from the normal; light and eye are equally far from it,
+// The halfway vector is at a chosen angle from the normal; light and eye are equally far from it,
 // on opposite sides.
 TEST(halfway_term, half_way_at_a_chosen_angle)
 {
@@ -931,7 +931,7 @@ TEST(phong_term, a_light_has_its_highlight_even_if_it_is_very_low)
     }
 }
 
-// The half-way vector between it and the eye is at half the angle between them from the eye.
+// The halfway vector between it and the eye is at half the angle between them from the eye.
 TEST(halfway_term, a_light_has_its_highlight_here_even_if_it_is_very_low)
 {
     for (int i = 0; i < SMALL; i++) {
@@ -1877,8 +1877,8 @@ PROBE(mirror_direction, mirrored_directions)
     }
 }
 
-// An eye behind the surface: for Phong the contract leaves the result free; half-way it must see
-// nothing if the normal and the half-way vector are more than 90 degrees apart.
+// An eye behind the surface: for Phong the contract leaves the result free; halfway it must see
+// nothing if the normal and the halfway vector are more than 90 degrees apart.
 static bool may_be_behind(Highlight *term, vec3 normal, vec3 to_light, vec3 to_eye)
 {
     return vec3_dot(normal, to_eye) > 0 ||

@@ -23,12 +23,12 @@ bench-flat bench-shaded:
 	@$< $(if $(PEERS),-p) $(OPTIONS) -o $(MEASURED) $(BENCH_SCENES) | tee $(MEASURED)/$@.txt
 	@python3 -B tests/benches/tables.py $(MEASURED) > $(MEASURED)/tables.md && echo 'written: $(MEASURED)/$@.txt, *.csv, tables.md'
 
-# Chapter 08 gets the numbers that were just measured: its tables, CSV files and figure.
+# Chapter 08 gets the numbers that were just measured: its table, CSV files and figure.
 LESSON_08 := chapters/$(ENGINE_CHAPTER)
-bench-record: ## the numbers, tables and figure of chapter 08 (PEERS=1, on an idle machine)
+bench-record: ## the numbers, table and figure of chapter 08 (PEERS=1, on an idle machine)
 	@$(MAKE) --no-print-directory -s -j1 bench-flat bench-shaded
-	@python3 -B tests/benches/tables.py $(MEASURED) $(LESSON_08)/README.md > $(MEASURED)/README.md
-	@cp $(MEASURED)/README.md $(LESSON_08)/ && cp $(MEASURED)/*.csv $(LESSON_08)/figures/
+	@python3 -B tests/benches/tables.py $(MEASURED) $(LESSON_08)/engines.md > $(MEASURED)/engines.md
+	@cp $(MEASURED)/engines.md $(LESSON_08)/ && cp $(MEASURED)/*.csv $(LESSON_08)/figures/
 	@$(MAKE) --no-print-directory -s bench-figure
 bench-figure: # chapter 08's figure, from its CSV files
 	@python3 -B tests/benches/tables.py -f $(LESSON_08)/figures > $(B)/bench-figure.gp

@@ -29,7 +29,7 @@ static void walk_to(Camera c, double s, double t)
     vec3 middle = image_plane_vector(c, 0.5, 0.5);
     vec3 sideways = image_plane_vector(c, s, 0.5);
     vec3 there = image_plane_vector(c, s, t);
-    story_heading("The walk to s = %s across, t = %s up", number_text(s).s, number_text(t).s);
+    story_heading("From the eye to s = %s across, t = %s up", number_text(s).s, number_text(t).s);
     story_line("forward to the middle", "%s", vec3_text(middle).s);
     story_line("then sideways", "%-24s adds %s", vec3_text(sideways).s,
                vec3_text(sideways - middle).s);
@@ -87,7 +87,7 @@ int main(int argc, char **argv)
         {0}};
     Usage usage = {"[OPTION]...",
                    "From the eye to the image plane, step by step. Without options:\n"
-                   "the lecture's camera, and the walk to its upper left corner."};
+                   "the lecture's camera, and the vector to its upper left corner."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     Camera c = view.camera;

@@ -230,8 +230,9 @@ int main(int argc, char **argv)
         {"at", 'a', "X,Y,Z", option_vec3, &at, "the look-at point, with --eye, --up, --width"},
         {"aspect", 0, "RATIO", option_number, &aspect, "of a look-at: width / height (1)"},
         {"hand", 0, "left|right", option_hand, &hand,
-         "of a look-at: the hand of the world (right)"},
-        {"picture", 0, "FILE.png", option_string, &picture, "draw a floor in worlds of both hands"},
+         "of a look-at: the handedness of the world (right)"},
+        {"picture", 0, "FILE.png", option_string, &picture,
+         "draw a floor in a right-handed and a left-handed world"},
         {"lean", 0, "X,Y,Z", option_vec3, &lean, NULL},
         FIGURE_OPTIONS(figure),
         {0}};

@@ -69,7 +69,7 @@ static void tell_light(const Scene *scene, int i, Ray ray, Hit hit, vec3 normal,
                number_text(vec3_dot(normal, vec3_unit(to_light))).s);
     story_line("diffuse", "%s", vec3_text_to(one_term(scene, light, ray, hit, true), 4).s);
     story_line("specular, Phong", "%s", vec3_text_to(one_term(scene, light, ray, hit, false), 4).s);
-    story_line("specular, half-way", "%s",
+    story_line("specular, Blinn", "%s",
                vec3_text_to(halfway_term(surface->specular, surface->shine,
                                          arrives ? light.color : vec3_of(0, 0, 0), normal, to_light,
                                          -ray.direction),

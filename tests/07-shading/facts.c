@@ -25,7 +25,7 @@ FACTS(phong_term)
     fact(2 * low * high - cosine_between(to_light, to_eye));
 }
 
-// An eye opposite to the light has no half-way vector: as if it were on the edge.
+// An eye opposite to the light has no halfway vector: as if it were on the edge.
 FACTS(halfway_term)
 {
     double low = cosine_between(normal, to_light), high = cosine_between(normal, to_eye);

@@ -260,7 +260,7 @@ LAW(phong_term)
 
 LAW(halfway_term)
 {
-    law_of_highlight(yours, ks, shine, light, "normal and half-way vector");
+    law_of_highlight(yours, ks, shine, light, "normal and halfway vector");
 }
 
 // Laws of light in a scene: what hides it, and how it adds up. They judge an answer by the right

@@ -455,7 +455,7 @@ static double mirrored_cosine(vec3 n, vec3 l, vec3 e)
         return h.ks * power(h) * h.light;                                                          \
     }
 
-// h is the half-way vector, a unit vector.
+// h is the halfway vector, a unit vector.
 #define HALFWAY(id, formula, why, picture, ...)                                                    \
     WRONG(halfway_term, id, formula, why, picture)                                                 \
     {                                                                                              \
@@ -572,7 +572,7 @@ PHONG("PH-unit-late", "2 (n.l / |l|) n - l, normalised",
 PHONG("PH-once", "m = (n.l) n - l",
       "this ends on the surface. The other side of the normal is 2 (n.l) n - l.",
       "highlights missing, or near the edge", h.cosine = vec3_dot(h.low * n - l, e))
-PHONG("PH-halfway", "n.h, with the half-way vector h",
+PHONG("PH-halfway", "n.h, with the halfway vector h",
       "this is Blinn's highlight, which is larger. Phong's is m.e.",
       "highlights of twice the width", h.cosine = vec3_dot(n, vec3_unit(l + e)))
 
@@ -591,7 +591,7 @@ HALFWAY("HW-mean", "n.(l + e) / 2",
         "no highlights, except where the light is behind the eye",
         h.cosine = vec3_dot(n, l + e) / 2)
 HALFWAY("HW-lengths", "l + e with lengths that are not 1",
-        "the longer one pulls the sum to its side. The sum is half-way only if both are normalised "
+        "the longer one pulls the sum to its side. The sum is halfway only if both are normalised "
         "first.",
         "highlights in odd places, which move with the distance of the light",
         h.cosine = vec3_dot(n, vec3_unit(to_light + to_eye)))
@@ -602,12 +602,12 @@ HALFWAY("HW-unit-mean", "n.(l + e) / 2, nothing normalised",
         "l and e must be normalised before they are added, and the sum afterwards.",
         "spheres with large white areas", h.cosine = vec3_dot(n, to_light + to_eye) / 2)
 HALFWAY("HW-unit-light", "l + e with an l that is not normalised",
-        "the longer one pulls the sum to its side. The sum is half-way only if both are normalised "
+        "the longer one pulls the sum to its side. The sum is halfway only if both are normalised "
         "first.",
         "highlights in odd places, which move with the distance of the light",
         h.cosine = vec3_dot(n, vec3_unit(to_light + e)))
 HALFWAY("HW-unit-eye", "l + e with an e that is not normalised",
-        "the longer one pulls the sum to its side. The sum is half-way only if both are normalised "
+        "the longer one pulls the sum to its side. The sum is halfway only if both are normalised "
         "first.",
         "highlights in the middle of every sphere", h.cosine = vec3_dot(n, vec3_unit(l + to_eye)))
 HALFWAY("HW-minus", "l - e",
@@ -623,7 +623,7 @@ HALFWAY("HW-nl", "n.l instead of n.h",
         "this is the cosine of the diffuse term. A highlight depends on where the eye is.",
         "highlights that stay where they are when the eye moves", h.cosine = vec3_dot(n, l))
 HALFWAY("HW-ne", "n.e instead of n.h",
-        "a highlight also depends on where the light is: h is half-way to it.",
+        "a highlight also depends on where the light is: h is halfway to it.",
         "a highlight in the middle of every sphere", h.cosine = vec3_dot(n, e))
 HALFWAY("HW-le", "l.e instead of n.h",
         "this does not depend on the surface: the normal is missing.",
@@ -632,8 +632,8 @@ HALFWAY("HW-he", "h.e instead of n.h",
         "h is equally far from the eye and from the light, anywhere on the surface. The angle "
         "between h and the normal counts.",
         "whole spheres too bright", h.cosine = vec3_dot(vec3_unit(l + e), e))
-HALFWAY("HW-nl-e", "half-way between n and l, with e",
-        "the vector is half-way between light and eye; compare it with the normal.",
+HALFWAY("HW-nl-e", "halfway between n and l, with e",
+        "the halfway vector is between light and eye; compare it with the normal.",
         "highlights in odd places", h.cosine = vec3_dot(vec3_unit(n + l), e))
 HALFWAY("HW-four", "(n.h)^(4 shine)",
         "this makes the highlight about as small as Phong's. Here the power is shine itself.",

@@ -154,7 +154,7 @@ fi
 links_lead_somewhere() {
     status=0
     for page in "$scratch"/tree/ray-casting/README.md "$scratch"/tree/ray-casting/*/README.md \
-        "$scratch"/tree/ray-casting/chapters/*/README.md; do
+        "$scratch"/tree/ray-casting/chapters/*/*.md; do
         # shellcheck disable=SC2013 # links have no blanks
         for link in $(grep -o '](\([^)#]*\)' "$page" | sed 's/^](//' | grep -v '^http'); do
             [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link"; status=1; }

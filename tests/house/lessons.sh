@@ -7,11 +7,11 @@
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
-# The lines of the lesson's ```text blocks, all of which the chapter's program must print.
+# The lines of the ```text blocks of a lesson and the pages beside it, all of which the chapter's program must print.
 quotes_its_program() {
     "$PROGRAMS/$1" >"$scratch/printed" || return 1
     awk '/^```text$/ { inside = 1; next } /^```/ { inside = 0 } inside && NF' \
-        "chapters/$1/README.md" >"$scratch/quoted"
+        "chapters/$1/"*.md >"$scratch/quoted"
     [ -s "$scratch/quoted" ] || { echo "no \`\`\`text block"; return 1; }
     ! grep -vxFf "$scratch/printed" "$scratch/quoted"
 }
@@ -36,7 +36,7 @@ for source in chapters/lessons/*.md; do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
 done
-for page in README.md chapters/README.md chapters/book/README.md exercises/README.md tests/grade/README.md \
+for page in README.md chapters/README.md chapters/08-fast/engines.md chapters/book/README.md exercises/README.md tests/grade/README.md \
     tests/grade/recipes/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
@@ -60,16 +60,16 @@ for lesson in chapters/[0-9]*/README.md; do
     check "the student's page says how long $stem takes" says_the_time_of "$stem"
 done
 
-# The files that lesson 08 tells its reader to read.
+# The files that the page on 08's engines tells its reader to read.
 files_are_there() {
     # shellcheck disable=SC2016 # these are Markdown's backquotes
-    [ "$(grep -o '`[a-z_]*\.[ch]`' chapters/08-fast/README.md | tr -d '`' | sort -u | tee "$scratch/files" | wc -l)" -gt 20 ] &&
+    [ "$(grep -o '`[a-z_]*\.[ch]`' chapters/08-fast/engines.md | tr -d '`' | sort -u | tee "$scratch/files" | wc -l)" -gt 20 ] &&
         while IFS= read -r file; do
             [ -e "chapters/08-fast/engines/$file" ] || [ -e "chapters/08-fast/$file" ] || [ -e "common/$file" ] ||
                 { echo "not there: $file" && return 1; }
         done <"$scratch/files"
 }
-check 'the lesson of 08 names files that exist' files_are_there
+check "the page on 08's engines names files that exist" files_are_there
 
 # make names the folder whose path has a blank, and nothing else.
 refuses_the_blank_in() {

@@ -23,6 +23,8 @@ for (const line of readFileSync(exercisesFile, "utf8").split("\n").filter(Boolea
     (functions[stem] ??= []).push(name);
 }
 
+/** The page that belongs to chapter 08. */
+const ENGINES = "chapters/08-fast/engines.md";
 const listings = new Set();
 /** Which page of the site shows a file of the toolkit. */
 function pageOf(path) {
@@ -33,6 +35,8 @@ function pageOf(path) {
         return "index.html";
     if (path === "exercises/optional/README.md")
         return "optional.html";
+    if (path === ENGINES)
+        return "engines.html";
     if (/\.(png|svg)$/.test(path)) {
         used.add(path);
         return path;
@@ -222,11 +226,16 @@ ${figure({ root, file, words, first: false, used })}</section>`).join("\n")}
 
 // ---- the optional tasks, and the files that lessons link to -------------------------------------
 
+function textPage({ title, html }, note = "") {
+    return frame({ title: `${title} · Ray casting`, kind: "text", mathematics: html.includes('class="katex'),
+        main: `<main class="text" id="main">${note}<article class="lesson">${html}</article></main>` });
+}
 if (existsSync(join(root, "exercises/optional/README.md"))) {
     const optional = lessonHtml({ root, path: "exercises/optional/README.md", pageOf, used });
-    write("optional.html", frame({ title: `${optional.title} · Ray casting`, kind: "text", mathematics: optional.html.includes('class="katex'),
-        main: `<main class="text" id="main"><p class="note">These tasks need the toolkit and a terminal: this page cannot judge them.</p>\n<article class="lesson">${optional.html}</article></main>` }));
+    write("optional.html", textPage(optional, '<p class="note">These tasks need the toolkit and a terminal: this page cannot judge them.</p>\n'));
 }
+if (existsSync(join(root, ENGINES)))
+    write("engines.html", textPage(lessonHtml({ root, path: ENGINES, pageOf, used })));
 for (const stem of stems)
     pageOf(`exercises/${stem}.h`);
 // A listing links to the headers that it includes.
