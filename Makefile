@@ -254,7 +254,7 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 	@touch $@
 	@$(eval DONE := yes)
 
-all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
+all: $(BUILT)/made ## build, cast pictures, draw figures (ANSWERS=folder: by it)
 	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs $$(cat $(DRAWN))"; \
 		else figures='Figures: $(DRAWN_FIGURES)/'; fi; \
 	if [ -e $(PAGE) ]; then page='$(PAGE)'; else page="none, 'make setup' installs python3"; fi; \

@@ -94,10 +94,10 @@ exercises: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## what is right, wro
 watch: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## judge again whenever an answer is saved
 	$(Q)$(COURSE) watch $(PLAN) $(CHOSEN)
 
-hint: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## one hint more each time it is asked for (EX=05: of that chapter)
+hint: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## one hint more each time (EX=05: of that chapter)
 	$(Q)$(COURSE) hint $(PLAN) $(CHOSEN)
 
-status: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## for scripts: a line for each function; fails unless all are right
+status: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ##+ for scripts: a line for each function; fails unless all are right
 	$(Q)$(COURSE) judge $(PLAN) $(CHOSEN) && $(COURSE) status $(PLAN) $(CHOSEN)
 
 debug: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) $(if $(filter debug,$(MAKECMDGOALS)),$(filter-out $(VERDICT)/%,$(call for_debug,$(CHOSEN)))) ## gdb at the call that failed (EX=05)

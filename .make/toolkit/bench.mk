@@ -16,8 +16,8 @@ $(BENCHES): %: %.o $(patsubst %,$(B)/tests/benches/%.o,peers $(if $(EMBREE),embr
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(if $(EMBREE),-lembree3) $(PNG_LIBS) -lm -pthread
 
 MEASURED := $(B)/bench
-bench-flat: $(B)/tests/benches/flat $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also Embree and POV-Ray)
-bench-shaded: $(B)/tests/benches/shaded $(BENCH_SCENES) ## shaded pictures on all scenes (PEERS=1: also Embree and POV-Ray)
+bench-flat: $(B)/tests/benches/flat $(BENCH_SCENES) ##+ rays a second: engines, scenes, threads (PEERS=1: also Embree and POV-Ray)
+bench-shaded: $(B)/tests/benches/shaded $(BENCH_SCENES) ##+ shaded pictures on all scenes (PEERS=1: also Embree and POV-Ray)
 bench-flat bench-shaded:
 	@mkdir -p $(MEASURED)
 	@$< $(if $(PEERS),-p) $(OPTIONS) -o $(MEASURED) $(BENCH_SCENES) | tee $(MEASURED)/$@.txt
@@ -25,7 +25,7 @@ bench-flat bench-shaded:
 
 # Chapter 08 gets the numbers that were just measured: its tables, CSV files and figure.
 LESSON_08 := chapters/$(ENGINE_CHAPTER)
-bench-record: ## the numbers, tables and figure of chapter 08 (PEERS=1, on an idle machine)
+bench-record: ##+ the numbers, tables and figure of chapter 08 (PEERS=1, on an idle machine)
 	@$(MAKE) --no-print-directory -s -j1 bench-flat bench-shaded
 	@python3 -B tests/benches/tables.py $(MEASURED) $(LESSON_08)/README.md > $(MEASURED)/README.md
 	@cp $(MEASURED)/README.md $(LESSON_08)/ && cp $(MEASURED)/*.csv $(LESSON_08)/figures/

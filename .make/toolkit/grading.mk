@@ -84,12 +84,12 @@ grade: export POLICY := $(POLICY)
 grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
-grade-set: $(LIST) ## a decision on a mark: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
+grade-set: $(LIST) ## a decision: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
 	@python3 -B tests/grade/people/decide.py
-return: $(LIST) ## pages and marks for a platform: FOR=moodle GRADES=worksheet.csv
+return: $(LIST) ## marks for a platform: FOR=moodle GRADES=worksheet.csv
 	@python3 -B tests/grade/people/hand_back.py
 
-similar: $(LIST) $(BLANKS) ## who of a marked class agrees in an unusual way: OUT/similar.html
+similar: $(LIST) $(BLANKS) ## who agrees in an unusual way: OUT/similar.html
 	@python3 -B tests/grade/people/similar.py
 
 # What git tracks, with the changes in the working tree; at its root the programs that Gradescope starts.

@@ -10,6 +10,6 @@ build/handout.tar.gz: $(STEMS:%=$(ARCHIVED)/%.table) $(RECORDED) $(BLANKS) $(OPT
 	@cp $(RECORDED) $(ARCHIVED)/ && tests/handout/pack $(@D) $(ARCHIVED) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES))
 .PHONY: handout FORCE
 
-skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ## write the blanks that solutions/ make; never over changes
+skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ##+ write the blanks that solutions/ make; never over changes
 	@solutions/write_blanks $^
 .PHONY: skeletons

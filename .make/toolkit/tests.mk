@@ -75,7 +75,7 @@ lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/wr
 	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
 	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
 LACKS := $(if $(filter missing,$(MAKECMDGOALS)),$(strip $(foreach s,$(CHOSEN),$(call lacks,$(s)))))
-missing: $(if $(LACKS),,$(MATRIX)) ## what a new exercise or chapter still lacks (EX=02)
+missing: $(if $(LACKS),,$(MATRIX)) ##+ what a new exercise or chapter still lacks (EX=02)
 	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for stem in $(CHOSEN); do $(MATRIX) $$stem --missing || exit 1; done)
 .PHONY: missing
 
@@ -164,10 +164,10 @@ READY_HERE = $(if $(SANITIZE),,$(READY))
 READY_FIRST = $(if $(SANITIZE),$(if $(BRIEF),,MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) SANITIZE= ready &&))
 .PHONY: ready
 
-check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only files and tests with it in their name)
+check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only those with it in their name)
 	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE)
 
-accept: $(FOR_CHECKS) $$(READY) ## what the transcripts' commands print is now right: read the difference (T=word)
+accept: $(FOR_CHECKS) $$(READY) ##+ what the transcripts' commands print is now right: read the difference (T=word)
 	@$(FOR_TESTS) $(PYTHON) tests/house/runner/transcript.py --accept $(foreach text,$(TRANSCRIPTS),$(if $(T),$(if \
 		$(findstring $(T),$(text)),$(text)),$(text)))
 .PHONY: accept
@@ -179,8 +179,8 @@ FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh) \
 	'tests/proof/engines.sh shading' 'tests/house/grade.sh long' 'tests/house/hostile.sh all')
 .PHONY: check-all check-long
-check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
+check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ##+ all tests, also those that need longer
 	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE) $(PROOF_SCRIPTS)
 
-check-long: $(FOR_LONG) ## only those that need longer (PROOFS='seeds exact': only these)
+check-long: $(FOR_LONG) ##+ only those that need longer (PROOFS='seeds exact': only these)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(PROOF_SCRIPTS)
