@@ -267,7 +267,7 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor, book, 
 
 include .make/tests.mk
 include .make/exercises.mk
-include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk .make/toolkit/lecture.mk .make/toolkit/book.mk)
+include $(wildcard .make/toolkit/instructor.mk .make/toolkit/lecture.mk .make/toolkit/book.mk)
 include .make/house.mk
 
 .PHONY: all setup check exercises watch hint debug reset

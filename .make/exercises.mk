@@ -23,8 +23,20 @@ endif
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering answer_calls calls_traced) $(CALLING)
 answering = $(ANSWERING) $(B)/dispatch/$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
-# The tests judge. A handout has none, and judges by recorded tables.
-include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
+# The tests judge. A handout has none, nor solutions: it judges by tables of right results (tests/tables/).
+ifneq ($(wildcard .make/toolkit/tests.mk),)
+include .make/toolkit/tests.mk
+else
+# A chapter depends on the answers of the earlier ones: each is judged first, and its object file
+# (that of the blank, if it does not compile) is linked with the later ones.
+earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
+stands_on = $(call earlier,$(1))
+
+# The numbers of what is right, which figures draw beside a student's.
+build/right-figures/%.gp: tests/tables/right-figures.tar
+	$(Q)mkdir -p $(@D)
+	$(Q)tar xOf $< $*.gp > $@
+endif
 # Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
 # for the programs, so that what is right here also builds there. An index beyond the end of an array
 # is a crash, not luck. Each function says when it is entered, and the memory of its variables is filled first

@@ -1,5 +1,24 @@
-# grading.mk - make grade: the kit that sandboxes are shown, and what else marks a class.
-#
+# instructor.mk - make handout, and make grade. Included by the Makefile.
+
+# ---- the students' archive, and the blanks of exercises/ -------------------------------------------
+
+# The archive's tables do not have the formulas of mistakes.
+ARCHIVED := $(B)/tables/handout
+$(STEMS:%=$(ARCHIVED)/%.table): $(ARCHIVED)/%.table: $(TABLE)/%.table
+	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)env -u SEED $(RECORD) $* $@ --without-formulas
+handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
+build/handout.tar.gz: $(STEMS:%=$(ARCHIVED)/%.table) $(RECORDED) $(BLANKS) $(OPTIONAL_BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@cp $(RECORDED) $(ARCHIVED)/ && tests/handout/pack $(@D) $(ARCHIVED) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES))
+.PHONY: handout FORCE
+
+skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ##+ write the blanks that solutions/ make; never over changes
+	@solutions/write_blanks $^
+.PHONY: skeletons
+
+# ---- grading: the kit that sandboxes are shown, and what else marks a class -------------------------
+
 # Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
 # each stem what the answering process holds besides the answer, linked in advance, to
 # save time; and the commands that use them.
@@ -58,7 +77,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/instructor.mk $(KIT_CONFINE) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a $(KIT)/expected.png $(LIST) $(JUDGE) $(RECORD) \
 		$(if $(findstring =$(abspath $(PICTURE)),$(file <$(KIT)/commands)),,FORCE) # paths: the tree may have been moved
 	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/
