@@ -254,7 +254,7 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 	@touch $@
 	@$(eval DONE := yes)
 
-all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
+all: $(BUILT)/made ## build, cast pictures, draw figures (ANSWERS=folder: by it)
 	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs $$(cat $(DRAWN))"; \
 		else figures='Figures: $(DRAWN_FIGURES)/'; fi; \
 	if [ -e $(PAGE) ]; then page='$(PAGE)'; else page="none, 'make setup' installs python3"; fi; \
@@ -267,7 +267,7 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor, book, 
 
 include .make/tests.mk
 include .make/exercises.mk
-include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk .make/toolkit/lecture.mk .make/toolkit/book.mk)
+include $(wildcard .make/toolkit/instructor.mk .make/toolkit/lecture.mk .make/toolkit/book.mk)
 include .make/house.mk
 
 .PHONY: all setup check exercises watch hint debug reset

@@ -22,8 +22,20 @@ endif
 # The parts of the answering process besides the answer.
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering answer_calls calls_traced) $(CALLING)
 answering = $(B)/answering/$(1).o $(earlier_answers) $(B)/common.a
-# The tests judge. A handout has none, and judges by recorded tables.
-include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
+# The tests judge. A handout has none, nor solutions: it judges by tables of right results (tests/tables/).
+ifneq ($(wildcard .make/toolkit/tests.mk),)
+include .make/toolkit/tests.mk
+else
+# A chapter depends on the answers of the earlier ones: each is judged first, and its object file
+# (that of the blank, if it does not compile) is linked with the later ones.
+earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
+stands_on = $(call earlier,$(1))
+
+# The numbers of what is right, which figures draw beside a student's.
+build/right-figures/%.gp: tests/tables/right-figures.tar
+	$(Q)mkdir -p $(@D)
+	$(Q)tar xOf $< $*.gp > $@
+endif
 # Linked in advance, so that nobody waits for it at each verdict.
 $(STEMS:%=$(B)/answering/%.o): $(B)/answering/%.o: $(ANSWERING) $(B)/dispatch/%.o $(lent)
 	$(call say,link,$@)
@@ -98,10 +110,10 @@ exercises: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## what is right, wro
 watch: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## judge again whenever an answer is saved
 	$(Q)$(COURSE) watch $(PLAN) $(CHOSEN)
 
-hint: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## one hint more each time it is asked for (EX=05: of that chapter)
+hint: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## one hint more each time (EX=05: of that chapter)
 	$(Q)$(COURSE) hint $(PLAN) $(CHOSEN)
 
-status: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## for scripts: a line for each function; fails unless all are right
+status: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ##+ for scripts: a line for each function; fails unless all are right
 	$(Q)$(COURSE) judge $(PLAN) $(CHOSEN) && $(COURSE) status $(PLAN) $(CHOSEN)
 
 debug: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) $(if $(filter debug,$(MAKECMDGOALS)),$(filter-out $(VERDICT)/%,$(call for_debug,$(CHOSEN)))) ## gdb at the call that failed (EX=05)

@@ -4,17 +4,17 @@ C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/
 	$(filter-out tests/benches/embree% tests/grade/attacks/%,$(wildcard tests/*.[ch] \
 	tests/*/*.[ch] tests/*/*/*.[ch]))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/embree*.c)
-format: ## lay out the C sources (clang-format)
+format: ##+ lay out the C sources (clang-format)
 	@clang-format -i $(FORMATTED)
 
-format-check: ## fails where 'make format' would change something
+format-check: ##+ fails where 'make format' would change something
 	@clang-format --dry-run -Werror $(FORMATTED)
 
 # Not in known mistakes, where bugs are what is wanted, nor in files that only compile for WebAssembly or with a
 # chapter's number.
 NOT_TIDY = $(wildcard tests/[0-9]*/wrong.c) chapters/book/instead/% tests/proof/book/reference_answers.c \
 	tests/proof/book/answer_by_number.c
-tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
+tidy: $(B)/compile_commands.json ##+ look for bugs (clang-tidy)
 	clang-tidy --quiet -p $(B) $(filter-out $(NOT_TIDY),$(filter %.c,$(C_SOURCES)))
 
 # For tidy and for editors: what is known of the exercises as beside the reference; and the students' answers, with
@@ -32,10 +32,13 @@ $(B)/compile_commands.json: Makefile .make/house.mk $(filter %.c,$(C_SOURCES)) $
 clean: ## remove what was built
 	rm -rf build
 
-# The comment of a target says what it is for; the names are filled up to 13 letters.
-help: ## this
-	@cat $(filter Makefile %.mk,$(MAKEFILE_LIST)) | sed -n \
-		-e 's/^\([a-z-]*\):.*## \(.*\)/  make \1             \2/' \
-		-e 's/^\(  make [a-z -]\{13\}[a-z-]*\) */\1 /p'
+# What a target is for: behind '##' what a person needs, on one screen; behind '##+' what a contributor or a script needs.
+help: ## this (ALL=1: also what writes and tests the toolkit)
+	@awk -F ' ##[+]? ' -v all='$(ALL)' '/^[a-z-]+:.* ##[+]? / && (all || !/ ##[+] /) { \
+		sub(/:.*/, "", $$1); line = sprintf("  make %-13s", $$1); count = split($$2, words, " "); \
+		for (i = 1; i <= count; i++) { \
+			if (length(line " " words[i]) > 80) { print line; line = sprintf("%20s", "") } \
+			line = line " " words[i] } \
+		print line }' $(filter Makefile %.mk,$(MAKEFILE_LIST))
 
 .PHONY: format format-check tidy clean help

@@ -238,7 +238,7 @@ browsers-are-here:
 		[ -n "$$found" ] || { echo "check-book: $$browser is missing: 'make setup FOR=contributor' installs it" >&2; exit 1; }; done
 .PHONY: browsers-are-here
 ifeq ($(FROM),)
-check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ## tests of the course in a page, with real browsers
+check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ##+ tests of the course in a page, with real browsers
 	@node tests/proof/book/verdicts.mjs $(BOOK) .
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
 	@running=; for browser in $(BROWSERS); do \

@@ -160,7 +160,7 @@ $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
 ifeq ($(A),solutions)
 $(BUILT)/made $(PAGE): $(LESSONS_MADE)
 endif
-lessons: $(LESSONS_MADE) ## write the numbers of chapters/example.h into the lessons ('make' does it as well)
+lessons: $(LESSONS_MADE) ##+ write the numbers of chapters/example.h into the lessons ('make' does it as well)
 .PHONY: lessons
 
 LESSON_FIGURES := python3 -B chapters/lessons/lesson_figures.py
@@ -187,7 +187,7 @@ $(SO_FAR:%=$(B)/so-far/%): $(B)/so-far/%.png: $(DRAW_SO_FAR) $(SPHERES) $(RECORD
 # The tests of all these need what is compared, and what compares it.
 check check-all check-long: $(FILLED) $(DRAWN_PICTURES)
 check-all check-long: $(B)/scenes/finale.nff
-lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ## write the figures and pictures that the lessons show, and the figures' words
+lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ##+ write the figures and pictures that the lessons show, and the figures' words
 	@$(draw_lesson_steps)
 	@$(LESSON_FIGURES) --write $(DRAWN_FIGURES) $(CHAPTERS:%=chapters/%)
 	@for picture in $(LESSON_PICTURES); do \

@@ -1,5 +1,5 @@
-# tests.mk - make check: the tests of the exercises, and the judges that ask what they ask. Included by
-# .make/exercises.mk, unless the tests are missing, as in a handout (.make/tables.mk).
+# tests.mk - make check: the tests of the exercises, and the judges that ask what they ask; and make bench. Included by
+# .make/exercises.mk, unless the tests are missing, as in a handout.
 
 # ---- the tests, the mistakes and the laws -----------------------------------------------------
 
@@ -75,7 +75,7 @@ lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/wr
 	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
 	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
 LACKS := $(if $(filter missing,$(MAKECMDGOALS)),$(strip $(foreach s,$(CHOSEN),$(call lacks,$(s)))))
-missing: $(if $(LACKS),,$(MATRIX)) ## what a new exercise or chapter still lacks (EX=02)
+missing: $(if $(LACKS),,$(MATRIX)) ##+ what a new exercise or chapter still lacks (EX=02)
 	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for stem in $(CHOSEN); do $(MATRIX) $$stem --missing || exit 1; done)
 .PHONY: missing
 
@@ -164,10 +164,10 @@ READY_HERE = $(if $(SANITIZE),,$(READY))
 READY_FIRST = $(if $(SANITIZE),$(if $(BRIEF),,MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) SANITIZE= ready &&))
 .PHONY: ready
 
-check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only files and tests with it in their name)
+check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only those with it in their name)
 	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE)
 
-accept: $(FOR_CHECKS) $$(READY) ## what the transcripts' commands print is now right: read the difference (T=word)
+accept: $(FOR_CHECKS) $$(READY) ##+ what the transcripts' commands print is now right: read the difference (T=word)
 	@$(FOR_TESTS) $(PYTHON) tests/house/runner/transcript.py --accept $(foreach text,$(TRANSCRIPTS),$(if $(T),$(if \
 		$(findstring $(T),$(text)),$(text)),$(text)))
 .PHONY: accept
@@ -179,8 +179,54 @@ FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh) \
 	'tests/proof/engines.sh shading' 'tests/house/grade.sh long' 'tests/house/hostile.sh all')
 .PHONY: check-all check-long
-check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
+check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ##+ all tests, also those that need longer
 	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE) $(PROOF_SCRIPTS)
 
-check-long: $(FOR_LONG) ## only those that need longer (PROOFS='seeds exact': only these)
+check-long: $(FOR_LONG) ##+ only those that need longer (PROOFS='seeds exact': only these)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(PROOF_SCRIPTS)
+
+# ---- measurements: make bench, and its parts ----------------------------------------------------
+
+# PEERS=1 measures chapter 08 beside Embree and POV-Ray; the benches name those that are not installed, and
+# go on. OPTIONS are a bench's own, for example OPTIONS='-r 3 -l 1' (tests/benches/flat.c and shaded.c).
+PEERS :=
+OPTIONS :=
+EMBREE := $(if $(PEERS),$(shell echo '\#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes))
+BENCHES := $(B)/tests/benches/flat $(B)/tests/benches/shaded
+$(B)/tests/benches/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
+	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
+$(B)/tests/benches/peers.o: EXTRA = $(PNG_CFLAGS)
+$(BENCHES): %: %.o $(patsubst %,$(B)/tests/benches/%.o,peers $(if $(EMBREE),embree embree_light)) \
+		$(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/$(SHADING_CHAPTER)/export.o \
+		$(B)/chapters/shared.a $(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(if $(EMBREE),-lembree3) $(PNG_LIBS) -lm -pthread
+
+MEASURED := $(B)/bench
+bench-flat: $(B)/tests/benches/flat $(BENCH_SCENES) ##+ rays a second: engines, scenes, threads (PEERS=1: also Embree and POV-Ray)
+bench-shaded: $(B)/tests/benches/shaded $(BENCH_SCENES) ##+ shaded pictures on all scenes (PEERS=1: also Embree and POV-Ray)
+bench-flat bench-shaded:
+	@mkdir -p $(MEASURED)
+	@$< $(if $(PEERS),-p) $(OPTIONS) -o $(MEASURED) $(BENCH_SCENES) | tee $(MEASURED)/$@.txt
+	@python3 -B tests/benches/tables.py $(MEASURED) > $(MEASURED)/tables.md && echo 'written: $(MEASURED)/$@.txt, *.csv, tables.md'
+
+# Chapter 08 gets the numbers that were just measured: its table, CSV files and figure.
+LESSON_08 := chapters/$(ENGINE_CHAPTER)
+bench-record: ##+ the numbers, tables and figure of chapter 08 (PEERS=1, on an idle machine)
+	@$(MAKE) --no-print-directory -s -j1 bench-flat bench-shaded
+	@python3 -B tests/benches/tables.py $(MEASURED) $(LESSON_08)/engines.md > $(MEASURED)/engines.md
+	@cp $(MEASURED)/engines.md $(LESSON_08)/ && cp $(MEASURED)/*.csv $(LESSON_08)/figures/
+	@$(MAKE) --no-print-directory -s bench-figure
+bench-figure: # chapter 08's figure, from its CSV files
+	@python3 -B tests/benches/tables.py -f $(LESSON_08)/figures > $(B)/bench-figure.gp
+	@for theme in light dark; do \
+		gnuplot -e "theme = '$$theme'" $(B)/bench-figure.gp tests/benches/flat.gp > $(B)/bench-figure-$$theme.svg || exit 1; done
+	@$(LESSON_FIGURES) --svg $(B)/bench-figure-light.svg $(B)/bench-figure-dark.svg 'Rays per second' \
+		'Rays per second over spheres, both logarithmic.' > $(LESSON_08)/rays-per-second.svg
+bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
+	@$(MAKE) --no-print-directory -s -j1 bench-flat $(if $(PEERS),bench-shaded)
+	@tests/benches/latency.sh
+	@$(if $(GRADABLE),python3 -B tests/benches/grade.py $(KIT),echo 'grading is not measured: make setup FOR=instructor')
+bench-grade: $(KIT)/commands # a class a minute; equal work for several tasks
+	@python3 -B tests/benches/grade.py $(KIT)
+.PHONY: bench bench-grade bench-flat bench-shaded bench-record bench-figure

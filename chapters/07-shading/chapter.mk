@@ -18,7 +18,7 @@ $(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nf
 SCENES += $(B)/scenes/finale.nff
 FINALE := $(GALLERY)/finale.png
 FINALE_BY := $(if $(wildcard chapters/08-fast/engines/.),08-fast --shaded --samples 2 --threads 2,07-shading -s 320x180)
-finale: $(FINALE) $$(FOR_SAY_WRONG) ## the picture of README.md (ANSWERS=exercises: by your own code)
+finale: $(FINALE) $$(FOR_SAY_WRONG) ## the picture of README.md (ANSWERS=exercises: by your code)
 	@echo "The picture: $(FINALE)"
 	$(SAY_WRONG)
 $(FINALE): $(B)/scenes/finale.nff $(BUILT)/$(firstword $(FINALE_BY))

@@ -1,5 +1,24 @@
-# grading.mk - make grade: the kit that sandboxes are shown, and what else marks a class.
-#
+# instructor.mk - make handout, and make grade. Included by the Makefile.
+
+# ---- the students' archive, and the blanks of exercises/ -------------------------------------------
+
+# The archive's tables do not have the formulas of mistakes.
+ARCHIVED := $(B)/tables/handout
+$(STEMS:%=$(ARCHIVED)/%.table): $(ARCHIVED)/%.table: $(TABLE)/%.table
+	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)env -u SEED $(RECORD) $* $@ --without-formulas
+handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
+build/handout.tar.gz: $(STEMS:%=$(ARCHIVED)/%.table) $(RECORDED) $(BLANKS) $(OPTIONAL_BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@cp $(RECORDED) $(ARCHIVED)/ && tests/handout/pack $(@D) $(ARCHIVED) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES))
+.PHONY: handout FORCE
+
+skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ##+ write the blanks that solutions/ make; never over changes
+	@solutions/write_blanks $^
+.PHONY: skeletons
+
+# ---- grading: the kit that sandboxes are shown, and what else marks a class -------------------------
+
 # Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
 # each stem what the answering process holds besides the answer, linked in advance, to
 # save time; and the commands that use them.
@@ -58,7 +77,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/instructor.mk $(KIT_CONFINE) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a $(KIT)/expected.png $(LIST) $(JUDGE) $(RECORD) \
 		$(if $(findstring =$(abspath $(PICTURE)),$(file <$(KIT)/commands)),,FORCE) # paths: the tree may have been moved
 	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/
@@ -84,14 +103,14 @@ grade: export POLICY := $(POLICY)
 grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
-grade-set: $(LIST) ## a decision on a mark: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
+grade-set: $(LIST) ## a decision: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
 	@python3 -B tests/grade/people/decide.py
-return: $(LIST) ## pages and marks for a platform: FOR=moodle GRADES=worksheet.csv
+return: $(LIST) ## marks for a platform: FOR=moodle GRADES=worksheet.csv
 	@python3 -B tests/grade/people/hand_back.py
 
-term: ## the weeks of a term beside each other: WEEKS=folder of the OUT of each week
+term: ## the weeks of a term beside each other: WEEKS=folder
 	@python3 -B tests/grade/people/term.py
-similar: $(LIST) $(BLANKS) ## who of a marked class agrees in an unusual way: OUT/similar.html
+similar: $(LIST) $(BLANKS) ## who agrees in an unusual way: OUT/similar.html
 	@python3 -B tests/grade/people/similar.py
 
 # What git tracks, with the changes in the working tree; at its root the programs that Gradescope starts.
