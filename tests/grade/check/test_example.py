@@ -28,8 +28,8 @@ def commands(page: str) -> list[tuple[str, str]]:
 
 
 def as_everywhere(words: str, out: str) -> str:
-    """But for the sandbox of this machine, sizes, dates, how long it took, and where it is."""
-    words = words.partition("\nTook ")[0].replace(out, "build/marks")
+    """But for the sandbox of this machine, sizes, dates, how long it took, where it is, and what make built before."""
+    words = words[max(words.find("submission    "), 0):].partition("\nTook ")[0].replace(out, "build/marks")
     for pattern, same in ((r"Sandbox: .*", "Sandbox: (any)"), (r"\d+ kB", "... kB"), (r"\d{4}-\d\d-\d\d( \d\d:\d\d:\d\d)?", "(date)")):
         words = re.sub(pattern, same, words)
     return words.strip()
