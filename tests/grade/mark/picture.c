@@ -10,6 +10,7 @@
 #include "common/image.h"
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"
+#include "tests/judge/known.h"
 #include "tests/judge/process.h"
 #include "tests/judge/reference/proxies.h"
 #include "tests/judge/runner.h"
