@@ -250,11 +250,23 @@ static void ball_data(Plot *plot)
     }
 }
 
-// From a place along a direction to the first sphere, or past all of them.
-static vec3 until_hit(const Scene *scene, Ray ray, double most)
+static double first_t(const Scene *scene, Ray ray)
+{
+    return nearest_hit(ray, scene).t;
+}
+
+// What the eye's ray sees: a point, the normal there, and where other rays start.
+typedef struct {
+    vec3 point, n, start;
+} Seen;
+
+static Seen seen_along(const Scene *scene, Ray ray)
 {
     Hit hit = nearest_hit(ray, scene);
-    return fmin(hit.t, most) * ray.direction;
+    Sphere sphere = balls[hit.sphere >= 0 && hit.sphere < BALLS ? hit.sphere : 0];
+    vec3 point = ray.origin + (hit.t < NO_HIT ? hit.t : 1) * ray.direction;
+    vec3 n = surface_normal(sphere, point);
+    return (Seen){point, n, off_surface(sphere, point, n)};
 }
 
 void shadow_and_mirror(Plot *plot, const Plane *plane)
@@ -269,19 +281,18 @@ void shadow_and_mirror(Plot *plot, const Plane *plane)
                    .lights = &light,
                    .light_count = 1};
     Ray seen = {plane->eye, target - plane->eye};
-    Hit hit = nearest_hit(seen, &scene);
-    Sphere sphere = balls[hit.sphere >= 0 && hit.sphere < BALLS ? hit.sphere : 0];
-    vec3 point = seen.origin + (hit.t < NO_HIT ? hit.t : 1) * seen.direction;
-    vec3 n = surface_normal(sphere, point), start = off_surface(sphere, point, n);
+    Seen at = seen_along(&scene, seen);
+    vec3 point = at.point, n = at.n, start = at.start;
     Ray back = ray_to_light(start, light);
     Ray mirrored = {start, mirror_direction(seen.direction, n)};
     double arrives = visibility(&scene, start, light);
-    vec3 to_hit = until_hit(&scene, mirrored, 2.2 * 3 / vec3_length(mirrored.direction));
+    double far = 2.2 * 3 / vec3_length(mirrored.direction), t = first_t(&scene, mirrored);
+    vec3 to_hit = fmin(t, far) * mirrored.direction;
 
     plot_look_flat(plot);
     ball_data(plot);
     plot_number(plot, "visibility", arrives);
-    plot_number(plot, "mirrored_t", nearest_hit(mirrored, &scene).t);
+    plot_number(plot, "mirrored_t", t);
     plot_point(plot, "eye", plane->eye);
     plot_point(plot, "lamp", plane->light);
     plot_point(plot, "point", point);
@@ -291,7 +302,7 @@ void shadow_and_mirror(Plot *plot, const Plane *plane)
     plot_vector(plot, "seen", plane->eye, point - plane->eye);
     plot_vector(plot, "n", point, n);
     plot_vector(plot, "to_light", start, back.direction);
-    plot_vector(plot, "lit", start, until_hit(&scene, back, 1));
+    plot_vector(plot, "lit", start, fmin(first_t(&scene, back), 1) * back.direction);
     plot_vector(plot, "mirrored", start, to_hit);
     const Label labels[] = {
         {"eye", "grey", .block = "eye"},
