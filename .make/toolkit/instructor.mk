@@ -103,6 +103,9 @@ grade: export POLICY := $(POLICY)
 grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
+# A '$' in them is the instructor's own.
+grade-set: override export COMMENT := $(value COMMENT)
+grade-set: override export WHO := $(value WHO)
 grade-set: $(LIST) ## a decision: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
 	@python3 -B tests/grade/people/decide.py
 return: $(LIST) ## marks for a platform: FOR=moodle GRADES=worksheet.csv

@@ -18,12 +18,12 @@ from grade.mark.grader import Grader  # noqa: E402
 from grade.mark.lecture_figures import lecture_figures  # noqa: E402
 from grade.people.class_list import class_of  # noqa: E402
 from grade.people.history import members, remember  # noqa: E402
-from grade.people.ledger import read_ledger, stem_named  # noqa: E402
+from grade.people.ledger import check_marks, read_ledger, stem_named  # noqa: E402
 from grade.people.sheets import SheetError  # noqa: E402
 from grade.policy import PolicyError, came_in  # noqa: E402
 from grade.report import files, text  # noqa: E402
 from grade.report.points import FAILED, NOTHING  # noqa: E402
-from grade.settings import arguments, stop  # noqa: E402
+from grade.settings import arguments, remember as remember_settings, stop  # noqa: E402
 from grade.visible import visible, why  # noqa: E402
 
 
@@ -88,6 +88,7 @@ def grade() -> int:
         grader = Grader(given)
         class_list = class_of(given.submissions, given.roster, grader.stems)
         grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys)
+        check_marks(given.ledger, grader.ledger, grader.points_of())
     except (PolicyError, SheetError) as error:
         stop(str(error))
     mention(class_list.found, class_list.others, grader.stems, given.submissions)
@@ -101,6 +102,8 @@ def grade() -> int:
         grader.begin()
     except OSError as error:
         stop(f"OUT={given.out} cannot be written: {why(error)}")
+    if sys.stderr.isatty():
+        print("Marking the reference first ...", file=sys.stderr)
     try:
         grader.make_tables()
         grader.prove()
@@ -109,6 +112,14 @@ def grade() -> int:
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
+
+
+def refuse_another_week(records: list, before: dict, grader: Grader, given) -> None:
+    """Marks that there were, and now not one file of the chapters that count: nobody wants that."""
+    if any(member["score"] for member in before.values()) and not any(
+            stem["state"] != "missing" for record in records for stem in record["stems"]):
+        stop(f"no submission in {given.submissions} has a file of {', '.join(grader.asked)}: is it another week's? The class's reports in "
+             f"OUT={given.out} are left as they were; the right folder marks all again")
 
 
 def report(grader: Grader, found: list, now: list, todo: list, failed: dict, given, began: float) -> int:
@@ -124,9 +135,12 @@ def report(grader: Grader, found: list, now: list, todo: list, failed: dict, giv
               "When all shards are done, 'make grade' once more, without SHARD, writes the reports.")
         print(text.failures(records), end="")
         return 0 if given.shard and not failed else 1
+    refuse_another_week(records, members(grader.out), grader, given)
     print(text.closing(records))
     try:
         figures = lecture_figures(grader, records)
+        if not given.only and not given.ex:
+            remember_settings(given)
         files.write_class(records, str(grader.out), remember(records, grader.out), figures)
     except OSError as error:
         stop(f"the reports cannot be written to {given.out}: {error.strerror}")

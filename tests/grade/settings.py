@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import re
 import secrets
@@ -31,6 +32,38 @@ def shard(text: str) -> tuple[int, int]:
     return int(part), int(parts)
 
 
+# ---- settings that OUT remembers -----------------------------------------------------------------
+
+REMEMBERED = ("policy", "class")    # files, of the last time that all was marked
+
+
+def remembered(out: Path) -> dict[str, Path]:
+    try:
+        found = json.loads((out / ".settings.json").read_text(encoding="utf-8"))
+        return {name: Path(found[name]) for name in REMEMBERED if found.get(name)}
+    except (OSError, ValueError, TypeError, AttributeError):
+        return {}
+
+
+def remember(given: argparse.Namespace) -> None:
+    files = {"policy": given.policy, "class": given.roster}
+    words = {name: str(path.resolve()) for name, path in files.items() if path is not None}
+    new = given.out / f".settings.{secrets.token_hex(6)}"
+    new.write_text(json.dumps(words), encoding="utf-8")
+    os.replace(new, given.out / ".settings.json")
+
+
+def as_last_time(out: Path, name: str, given: Path | None) -> Path | None:
+    """A file that this run was not given, but the last one was. It is said, so that nobody wonders."""
+    path = remembered(out).get(name)
+    if given is not None or path is None or path == policy.DEFAULT:
+        return given
+    if not path.exists():
+        stop(f"{name.upper()}={path}, of the last time, is gone: say {name.upper()}=file")
+    print(f"As the last time: {name.upper()}={path}", file=sys.stderr)
+    return path
+
+
 def arguments() -> argparse.Namespace:
     there = os.environ.get
     parser = argparse.ArgumentParser(prog="grade", description="Marks a folder of submissions.")
@@ -41,7 +74,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", default=there("ONLY", ""))
     parser.add_argument("--ex", default=there("EX", ""))
     parser.add_argument("--out", type=Path, default=there("OUT", "build/grades"))
-    parser.add_argument("--policy", type=Path, default=there("POLICY") or policy.DEFAULT)
+    parser.add_argument("--policy", type=Path, default=there("POLICY") or None)
     parser.add_argument("--seed", default=there("SEED", ""))
     parser.add_argument("--jobs", default=there("JOBS", ""))
     parser.add_argument("--shard", default=there("SHARD", ""))
@@ -54,6 +87,8 @@ def arguments() -> argparse.Namespace:
     given.shard = shard(given.shard) if given.shard else None
     given.seed = number("SEED", given.seed, 0, LARGEST_SEED) if given.seed else None
     given.ledger = given.ledger or given.out / "ledger.csv"
+    given.policy = as_last_time(given.out, "policy", given.policy) or policy.DEFAULT
+    given.roster = as_last_time(given.out, "class", given.roster)
     if given.submissions is None:
         stop("grade what? Say: make grade SUBMISSIONS=folder")
     if not given.submissions.is_dir():

@@ -69,6 +69,11 @@ class Example(Sentences):
         self.assertGreater(len(quoted), 1)
         self.assertEqual([line for line in quoted if line not in told(self.out)], [])
 
+    def test_a_comment_with_a_dollar_is_what_was_typed(self):
+        subprocess.run(["make", "-s", "grade-set", "WHO=waits", "WHAT=comment", "COMMENT=it costs $5", f"OUT={self.out}"], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.assertIn("waits,,comment,,it costs $5,", (self.out / "ledger.csv").read_text(encoding="utf-8"))
+
     def test_the_marks_are_those_that_the_page_explains(self):
         explained = re.findall(r"^\| `([a-z-]*)` \| ([a-z ]*) \| ([0-9]*) \|", self.page, re.M)
         self.assertEqual(len(explained), 10)

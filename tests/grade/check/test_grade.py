@@ -15,6 +15,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from .fixtures import Sentences
+from grade.people.history import lines_of
 from .small_class import KIT, STEMS, build_class, command, grade, records, right, rows
 
 
@@ -128,6 +129,27 @@ class Grade(Sentences):
                   if case.find("failure") is not None]
         self.check("with 'waiting none' what waits has no marks, and does not pass", (waits["state"], waits["score"])
                    == ("waiting", 0) and "waits: 01-corners: upper_right" in failed, waits)
+        why = {row[5] for row in lines_of(out)}
+        self.check("the history says that the policy has changed, and not that anybody has handed in again",
+                   "the policy has changed" in why and "handed in again" not in why, why)
+        again = grade(folder, out)
+        self.check("who forgets the policy has that of the last time, and is told",
+                   {name: (row["final"], row["max"]) for name, row in rows(out).items()} == marks
+                   and f"As the last time: POLICY={policy}" in again.stderr, again.stderr)
+        for name in ("mirrored", "waits"):
+            (folder.with_name("week 2") / name).mkdir(parents=True)
+            (folder.with_name("week 2") / name / "05-quadratic.c").write_text(right("05-quadratic"))
+        other = grade(folder.with_name("week 2"), folder.with_name("out of week 2"), POLICY=str(policy))
+        self.check("a first class without these chapters is marked", other.returncode == 0, other.stderr)
+        before = (out / "grades.csv").read_bytes()
+        everybody = {path.name: "05-quadratic.c" for path in folder.iterdir()}
+        for name in everybody:
+            place = folder.with_name("week 3") / name.partition(".")[0]
+            place.mkdir(parents=True, exist_ok=True)
+            (place / "05-quadratic.c").write_text(right("05-quadratic"))
+        refused = grade(folder.with_name("week 3"), out)
+        self.check("another week's submissions do not take this one's marks away", refused.returncode != 0
+                   and "is it another week's?" in refused.stderr and (out / "grades.csv").read_bytes() == before, refused.stderr)
 
     def test_class(self) -> None:
         folder, out = self.work / "class", self.work / "out"

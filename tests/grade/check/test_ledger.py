@@ -10,7 +10,7 @@ import unittest
 from fractions import Fraction
 
 from grade.people.history import lines_of, members, remember
-from grade.people.ledger import add_decision, decide, read_ledger
+from grade.people.ledger import add_decision, check_marks, decide, read_ledger
 from grade.people.sheets import SheetError
 from .fixtures import STEMS, WithFolder
 from .records import function, record, stem
@@ -42,6 +42,19 @@ class Ledgers(WithFolder):
             self.assertEqual(sum(Fraction(str(found[part] or 0)) for part in ("computed", "penalty", "adjusted")),
                              Fraction(str(found["score"])))
         return found
+
+    def test_a_mark_beyond_the_points_is_a_slip(self):
+        most = {"01-corners": Fraction(10), "05-quadratic": Fraction(20)}
+        for lines, wrong in (("anna,01,mark,10,,,\n", ""), ("anna,,mark,30,,,\n", ""), ("anna,01,credit,99,,,\n", ""),
+                             ("anna,01,mark,10.5,,,\n", ":2: mark 10.5, expected at most 10, the points of 01-corners"),
+                             ("anna,,credit,1,,,\nben,,mark,31,,,\n", ":3: mark 31, expected at most 30, the points of all chapters")):
+            with self.subTest(lines):
+                try:
+                    check_marks(self.path, self.read(lines), most)
+                    said = ""
+                except SheetError as error:
+                    said = str(error)
+                self.assertTrue(said.startswith(f"{self.path}{wrong}") if wrong else said == "", said)
 
     def test_decisions_change_marks(self):
         for lines, final, most, words in (

@@ -196,6 +196,7 @@ class Returned(unittest.TestCase):
         for platform, settings, words in (
                 ("nowhere", {}, "return to whom? Say FOR= one of moodle, canvas"),
                 ("canvas", {"GRADES": grades}, "2 columns may be for these marks, expected COLUMN="),
+                ("canvas", {"GRADES": grades, "COLUMN": "Section"}, "0 columns may be for these marks, expected COLUMN="),
                 ("canvas", {"GRADES": self.top / "none.csv"}, "none.csv: cannot be read"),
                 ("canvas", {"OUT": self.top}, "holds no marks: run 'make grade' first"),
                 ("canvas", {"SUBMISSIONS": self.top / "none"}, "expected the folder that was marked")):

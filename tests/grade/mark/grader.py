@@ -155,6 +155,7 @@ class Grader:
         with limited(COLLECTING):
             collected = submissions.collect(submission, self.stems,
                                             lambda command: self.sandbox.compiler(folder, [], command))
+        whole = submissions.digest(collected)
         collected = replace(collected, answers={stem: collected.answers[stem] for stem in self.asked})
         if collected.status == UNREADABLE:
             return self.give_up_on(submission, collected.words)
@@ -167,7 +168,7 @@ class Grader:
         files.keep_answers({stem: answer.text for stem, answer in collected.answers.items() if answer.state == "found"},
                            str(self.out), submission.folder)
         record = mark(bench, collected, self.exercises, self.called, self.verdicts(again))
-        record.update(key=key, files=submissions.digest(collected), folder=submission.folder,
+        record.update(key=key, files=whole, folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
                       steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})
         record = self.priced(record, submission, when)

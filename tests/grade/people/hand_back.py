@@ -37,12 +37,13 @@ from grade.policy import rounded  # noqa: E402
 from grade.report.files import put, read_record  # noqa: E402
 from grade.report.formats import table  # noqa: E402
 from grade.report.points import NOTHING, reason  # noqa: E402
-from grade.settings import stop  # noqa: E402
+from grade.settings import as_last_time, stop  # noqa: E402
 from grade.visible import brief, number, visible, why  # noqa: E402
 
 PLATFORMS = ("moodle", "canvas", "gradescope", "blackboard", "folder")
 PAGE = "feedback.html"
 NAMED = 20      # of a list of people
+ASSIGNMENTS = {"canvas": r".+ \(\d+\)", "blackboard": r".+\[Total Pts: .*\].*\|\d+"}   # the only columns that marks may go into
 
 
 class Returned:
@@ -154,9 +155,9 @@ def column_named(sheet: Sheet, kind: str, wanted: str) -> int:
     if wanted:
         found = [place for place, head in enumerate(heads) if wanted.casefold() in (head.casefold(), re.sub(
             r" (\(\d+\)|\[Total Pts.*)$", "", head).casefold())]
+        found = [place for place in found if re.fullmatch(ASSIGNMENTS.get(kind, r".*"), heads[place])]
     else:
-        pattern = {"canvas": r".+ \(\d+\)", "blackboard": r".+\[Total Pts: .*\].*\|\d+"}.get(kind, r"(?!)")
-        found = [place for place, head in enumerate(heads) if re.fullmatch(pattern, head)]
+        found = [place for place, head in enumerate(heads) if re.fullmatch(ASSIGNMENTS.get(kind, r"(?!)"), head)]
     if len(found) != 1:
         raise SheetError(f"{sheet.path}:1: {len(found)} columns may be for these marks, expected COLUMN='...' with one of the "
                          f"headings: {brief(', '.join(heads), 600)}")
@@ -233,6 +234,7 @@ def main() -> None:
     directory, roster, grades = (Path(setting(name)) if setting(name) else None for name in ("SUBMISSIONS", "CLASS", "GRADES"))
     if directory is None or not directory.is_dir():
         stop(f"SUBMISSIONS={directory or ''}: expected the folder that was marked")
+    roster = as_last_time(out, "class", roster)
     folder = out / "return" / platform
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -144,6 +144,15 @@ class Ledger:
         return self.decisions.get(key, Decided())
 
 
+def check_marks(path: Path, ledger: Ledger, most_of: dict[str, Fraction]) -> None:
+    """most_of: stem -> its points. SheetError for a mark that is more than there are: a slip of the pen, or a credit."""
+    for one in (one for decided in ledger.decisions.values() for one in decided.of("mark")):
+        most = most_of[one.stem] if one.stem else sum(most_of.values(), Fraction(0))
+        if one.value > most:
+            raise SheetError(f"{path}:{one.line}: mark {number(float(one.value))}, expected at most {number(float(most))}, the points of "
+                             f"{one.stem or 'all chapters'}; what is beyond is a credit")
+
+
 def read_ledger(path: Path, stems: list, find: Callable[[str], list]) -> Ledger:
     """An empty one, if there is no such file."""
     return Ledger(Sheet(path) if path.exists() else None, stems, find)

@@ -135,7 +135,8 @@ def exercises(weeks: list[Week]):
 
 
 def everybody(weeks: list[Week]):
-    rows = [[tag("td", tag("bdi", person["name"]), tag("div", person.get("section", ""), class_="quiet")),
+    rows = [[tag("td", tag("bdi", person["name"]), tag("div", ", ".join(filter(None, (person.get("id") or person.get("login")
+                                                                              or person.get("mail"), person.get("section")))), class_="quiet")),
              *["" if record is None else number(record["score"]) for record in there],
              f"{number(rounded(total))} of {number(rounded(most))}", f"{number(round(100 * total / most))} %" if most else ""]
             for person, there, total, most in marks_of(weeks)]
