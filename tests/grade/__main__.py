@@ -23,7 +23,7 @@ from grade.people.sheets import SheetError  # noqa: E402
 from grade.policy import PolicyError, came_in  # noqa: E402
 from grade.report import files, text  # noqa: E402
 from grade.report.points import FAILED, NOTHING  # noqa: E402
-from grade.settings import arguments, remember as remember_settings, stop  # noqa: E402
+from grade.settings import arguments, remember as remember_settings, remembered, stop  # noqa: E402
 from grade.visible import visible, why  # noqa: E402
 
 
@@ -65,8 +65,9 @@ def with_the_others(found: list, known: dict, given) -> list:
          for folder in gone if folder not in {one.folder for one in found}]
 
 
-def mark_again(grader: Grader, found: list, keys: list, given) -> list:
-    """Those that ONLY names, whose keys these are, or all; and what is marked though there is a verdict."""
+def mark_again(grader: Grader, found: list, class_list, given) -> list:
+    """Those that ONLY names, or all; and what is marked though there is a verdict."""
+    keys = class_list.keys(given.only)
     todo = [submission for submission in found if submission.parts]
     if given.ex:
         stem = stem_named(given.ex, grader.asked)
@@ -76,8 +77,11 @@ def mark_again(grader: Grader, found: list, keys: list, given) -> list:
     if given.only:
         todo = [submission for submission in todo if submission.key in keys]
         if len(keys) != 1 or not todo:
-            stop(f"ONLY={given.only}: " + (f"fits {len(keys)} people, expected one" if len(keys) > 1 else
-                                           "expected one of those who handed in something"))
+            fits = f"fits {len(keys)} people" if len(keys) > 1 else "expected one of those who handed in something"
+            stop(f"ONLY={given.only}: {fits}{class_list.hint(given.only)}")
+        last = remembered(given.out).get("submissions")
+        if last is not None and last != given.submissions.resolve():
+            print(f"Put this into {last} as well: when the whole class is marked, what is there counts", file=sys.stderr)
         grader.again = {submission.folder for submission in todo}
     return todo
 
@@ -87,14 +91,14 @@ def grade() -> int:
     try:
         grader = Grader(given)
         class_list = class_of(given.submissions, given.roster, grader.stems)
-        grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys)
+        grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys, class_list.hint)
         check_marks(given.ledger, grader.ledger, grader.points_of())
     except (PolicyError, SheetError) as error:
         stop(str(error))
     mention(class_list.found, class_list.others, grader.stems, given.submissions)
     mention_times(grader.policy, class_list.found)
     found = with_the_others(class_list.found, members(grader.out), given)
-    now = mark_again(grader, found, class_list.keys(given.only), given)
+    now = mark_again(grader, found, class_list, given)
     todo = of_shard(now, given.shard)
     began = time.monotonic()
     try:

@@ -34,7 +34,7 @@ def shard(text: str) -> tuple[int, int]:
 
 # ---- settings that OUT remembers -----------------------------------------------------------------
 
-REMEMBERED = ("policy", "class")    # files, of the last time that all was marked
+REMEMBERED = ("policy", "class", "submissions")    # files and a folder, of the last time that all was marked
 
 
 def remembered(out: Path) -> dict[str, Path]:
@@ -46,7 +46,7 @@ def remembered(out: Path) -> dict[str, Path]:
 
 
 def remember(given: argparse.Namespace) -> None:
-    files = {"policy": given.policy, "class": given.roster}
+    files = {"policy": given.policy, "class": given.roster, "submissions": given.submissions}
     words = {name: str(path.resolve()) for name, path in files.items() if path is not None}
     new = given.out / f".settings.{secrets.token_hex(6)}"
     new.write_text(json.dumps(words), encoding="utf-8")

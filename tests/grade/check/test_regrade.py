@@ -94,6 +94,10 @@ class Regrade(Sentences):
         self.check("one of them is marked again, and the class is whole",
                    (only.stderr.count("/1 mirrored"), len(members(out)), len(rows(out))) == (1, 21, 21), only.stderr)
         self.check("though there is a verdict", was_compiled(out / "mirrored"))
+        few = work / "a mail"
+        shutil.copytree(copy / "mirrored", few / "mirrored")
+        self.check("of a folder of its own it is said that the class's folder counts later",
+                   f"Put this into {copy.resolve()} as well" in grade(few, out, ONLY="mirrored").stderr)
         out = work / "few"
         grade(copy, out)
         grade(copy, out, EX="01")

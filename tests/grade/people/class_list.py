@@ -5,8 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grade.collect import submissions
+from grade.collect.platforms import Claim
+from grade.visible import brief
 from .history import members
-from .matching import are_people, assigned, chosen
+from .matching import Finder, are_people, assigned, chosen
 from .roster import Person, Roster
 
 
@@ -19,6 +21,14 @@ class ClassList:
     def keys(self, words: str) -> list:
         """Of those whom the words fit."""
         return [person.key for person in chosen(words, self.people)]
+
+    def hint(self, words: str) -> str:
+        """For words that do not fit exactly one person: whom they fit, or who comes closest."""
+        fits = chosen(words, self.people)
+        if len(fits) > 1:
+            return ": " + ", ".join(f"{brief(one.name)} ({brief(one.key)})" for one in fits)
+        near = Finder(self.people).nearest(Claim(name=words))
+        return f"; closest: {', '.join(map(brief, near))}" if near else ""
 
 
 def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassList:
