@@ -153,6 +153,11 @@ class Classes(unittest.TestCase):
                          {"annna": "it fits nobody on the list; closest: Anna Abel",
                           "kim li": "it fits 2 people: Kim Li (3), Kim Li (4)", "zzz": "it fits nobody on the list"})
 
+    def test_a_list_that_fits_no_submission_is_refused(self):
+        files = {"anna/01-corners.c": b"x", "ben/01-corners.c": b"y"}
+        with self.assertRaisesRegex(SheetError, "fits none of 2 submissions.*it has ID, Vorname"):
+            self.class_of(files, "ID,Vorname\n901,Xenia\n902,Yuri\n")
+
     def test_a_word_that_fits_nobody_or_two_says_whom_it_may_mean(self):
         found = self.class_of({"anna/01-corners.c": b"x"}, self.ROSTER)
         self.assertEqual([found.hint(words) for words in ("Ana Abel", "kim li", "zzz")],

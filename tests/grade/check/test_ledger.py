@@ -60,6 +60,7 @@ class Ledgers(WithFolder):
         for lines, final, most, words in (
                 ("", 14, 30, []),
                 ("ben,,mark,1,,,\n", 14, 30, []),
+                ('anna,,points,"2,5",,,\n', 16.5, 30, ["points +2.5"]),
                 ("anna,,mark,25.5,oral exam,MK,\n", 25.5, 30, ["mark 25.5: oral exam"]),
                 ("anna,1,mark,10,,,\n", 18, 30, ["01-corners: mark 10"]),
                 ("anna,01-corners,points,3,,,\n", 17, 30, ["01-corners: points +3"]),

@@ -327,6 +327,15 @@ class ReportPages(Sentences):
                    == {f"./{name}/index.html" for name in odd})
         self.check("a link is called by its submission",
                    '<a href="./f/index.html"><bdi>a name</bdi></a>' in class_page([record("a name", [], folder="f")]))
+        one = record("a", [stem("01-corners", [function("upper_left", most=15.0)], decided="12 of 15"), stem("04-pixel-ray", state="missing",
+                           most=7.0, decided="excused")])
+        for page in (submission_page(one, "."), class_page([one])):
+            told = words(read_back.Page(page))
+            self.check("what is decided on a chapter is beside its marks", "decided: 12 of 15" in told and "decided: excused" in told, told[-300:])
+        self.check("a page without a wrong answer does not speak of verdicts", "The same verdicts" not in submission_page(one, ".")
+                   and "The same verdicts" in submission_page(ORDINARY[0], "."))
+        many = [record("a", [stem("05-quadratic", [function(f"f{at}", state="unanswered") for at in range(11)])])]
+        self.check("what is not listed is counted", "05-quadratic f6 (1), and 3 more" in " ".join(class_page(many).split()))
         told = words(read_back.Page(class_page(ORDINARY)))
         self.check("the class's page says seed and sandbox",
                    "123456" in told and "bubblewrap, Landlock, seccomp" in told)

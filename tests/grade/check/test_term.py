@@ -35,13 +35,20 @@ class Term(WithFolder):
     def test_somebody_who_is_renamed_is_one_person(self):
         self.week("week-1", self.one("Kim Li", 6, "7"), self.one("Anna", 4, "8"))
         self.week("week-2", self.one("Kim Doe", 3, "7"), self.one("Kim Li", 9, "9"))
-        self.assertEqual(self.rows(), [["name", "id", "week-1", "week-2", "sum", "of"], ["Anna", "8", "4", "", "4", "10"],
-                                       ["Kim Doe", "7", "6", "3", "9", "20"], ["Kim Li", "9", "", "9", "9", "10"]])
+        self.assertEqual(self.rows(), [["name", "id", "week-1", "week-2", "sum", "of", "open"], ["Anna", "8", "4", "", "4", "10", "0"],
+                                       ["Kim Doe", "7", "6", "3", "9", "20", "0"], ["Kim Li", "9", "", "9", "9", "10", "0"]])
 
     def test_nothing_handed_in_is_0_and_no_score_is_no_part_of_the_sum(self):
         self.week("a", self.one("Anna", 6, "1"), record("Ben", [], "nothing handed in", folder="ben", max=10, person={"id": "2"}))
         self.week("b", {**self.one("Anna", 6, "1"), "status": "cannot be read", "score": None}, self.one("Ben", 5, "2"))
-        self.assertEqual(self.rows()[1:], [["Anna", "1", "6", "", "6", "10"], ["Ben", "2", "0", "5", "5", "20"]])
+        self.assertEqual(self.rows()[1:], [["Anna", "1", "6", "", "6", "10", "1"], ["Ben", "2", "0", "5", "5", "20", "0"]])
+
+    def test_two_of_one_name_are_told_apart(self):
+        one = self.one("Jane Doe", 6, "1")
+        self.week("a", {**one, "submission": "Jane Doe (1)", "folder": "j1"},
+                  {**self.one("Jane Doe", 3, "2"), "submission": "Jane Doe (2)", "folder": "j2"})
+        self.assertEqual([row[0] for row in self.rows()[1:]], ["Jane Doe (1)", "Jane Doe (2)"])
+        self.assertIn("Jane Doe (2)", term_page(weeks_of(self.work)))
 
     def test_a_mistake_is_counted_in_each_week_that_asked_for_its_chapter(self):
         self.week("a", *(self.one(f"s{at}", 6, str(at), mistake=MISTAKE if at < 3 else None) for at in range(5)))

@@ -10,6 +10,7 @@ from grade.visible import brief
 from .history import members
 from .matching import Finder, are_people, assigned, chosen
 from .roster import Person, Roster
+from .sheets import SheetError
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,10 @@ def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassL
     roster = Roster(list_of_class)
     found, others = submissions.find(directory, stems, are_people(roster))
     found, more = assigned(found, roster)
+    given = [one for one in found if one.parts]
+    if len(given) > 1 and not any(one.person for one in given):
+        raise SheetError(f"{list_of_class}:1: this list fits none of {len(given)} submissions, expected that of this class, with "
+                         f"headings such as name, id, login, mail: it has {brief(', '.join(roster.sheet.heading()))}")
     return ClassList(found, others + more, roster.people + [Person(one.name, id=one.folder) for one in found if not one.person])
 
 

@@ -79,7 +79,7 @@ def stem_named(text: str, stems: list) -> str | None:
 def decision_in(sheet: Sheet, row: Row, columns: dict, stems: list) -> Decision:
     cells = {name: as_meant(sheet.cell(row, columns[name])) for name in HEADING}
     where = f"{sheet.path}:{row.line}"
-    what, value = cells["what"].casefold().replace("-", " "), cells["value"].replace("\N{MINUS SIGN}", "-")
+    what, value = cells["what"].casefold().replace("-", " "), re.sub(r"(?<=\d),(?=\d)", ".", cells["value"].replace("\N{MINUS SIGN}", "-"))
     stem = stem_named(cells["chapter"], stems) if cells["chapter"] else ""
     if not cells["who"]:
         raise SheetError(f"{where}: nobody is named, expected an id, a login, an address or a name")
@@ -212,6 +212,9 @@ def decide(record: dict, decided: Decided, most_of: dict, lost: Callable[[Fracti
     chapters = {stem["stem"]: stem for stem in record["stems"]}
     everything = [chapters.get(name, {"stem": name, "score": 0, "max": most}) for name, most in most_of.items()]
     after = [chapter_after(stem, decided) for stem in everything]
+    for stem, (earned, worth) in zip(everything, after):
+        stem["decided"] = "" if (earned, worth) == (exact(stem["score"]), exact(stem["max"])) else \
+            "excused" if decided.of("excused", stem["stem"]) else f"{number(rounded(earned))} of {number(rounded(worth))}"
     computed = sum((exact(stem["score"]) for stem in record["stems"]), Fraction(0))
     late = lost(computed)
     most = sum((most for _, most in after), Fraction(0))

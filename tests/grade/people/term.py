@@ -80,16 +80,21 @@ def marks_of(weeks: list[Week]) -> list[tuple[dict, list, Fraction, Fraction]]:
         last = list(there.values())[-1]
         counted = [record for record in there.values() if record["score"] is not None]
         sums = [sum((Fraction(str(record[part])) for record in counted), Fraction(0)) for part in ("score", "max")]
-        rows.append(({"name": last["submission"], **last["person"]}, [there.get(week.name) for week in weeks], *sums))
+        rows.append(({**last["person"], "name": last["submission"]}, [there.get(week.name) for week in weeks], *sums))
     return sorted(rows, key=lambda row: row[0]["name"])
+
+
+def still_open(there: list) -> int:
+    """Weeks without a score that nobody has decided on: what was handed in could not be read, say."""
+    return sum(record is not None and record["score"] is None and not record["decided"] for record in there)
 
 
 def term_csv(weeks: list[Week]) -> str:
     rows = marks_of(weeks)
     known = [field for field in FIELDS if any(person.get(field) for person, *_ in rows)]
-    return table([["name", *known, *(week.name for week in weeks), "sum", "of"]] + [
+    return table([["name", *known, *(week.name for week in weeks), "sum", "of", "open"]] + [
         [person["name"], *(person.get(field, "") for field in known), *(mark(record and record["score"]) for record in there),
-         mark(rounded(total)), mark(rounded(most))] for person, there, total, most in rows])
+         mark(rounded(total)), mark(rounded(most)), str(still_open(there))] for person, there, total, most in rows])
 
 
 # ---- the page -----------------------------------------------------------------------------------
@@ -135,10 +140,9 @@ def exercises(weeks: list[Week]):
 
 
 def everybody(weeks: list[Week]):
-    rows = [[tag("td", tag("bdi", person["name"]), tag("div", ", ".join(filter(None, (person.get("id") or person.get("login")
-                                                                              or person.get("mail"), person.get("section")))), class_="quiet")),
+    rows = [[tag("td", tag("bdi", person["name"]), tag("div", person.get("section", ""), class_="quiet")),
              *["" if record is None else number(record["score"]) for record in there],
-             f"{number(rounded(total))} of {number(rounded(most))}", f"{number(round(100 * total / most))} %" if most else ""]
+             f"{number(rounded(total))} of {number(rounded(most))}" + (f", {still_open(there)} open" if still_open(there) else ""), f"{number(round(100 * total / most))} %" if most else ""]
             for person, there, total, most in marks_of(weeks)]
     return part("Everybody", ["name", *(week.name for week in weeks), "sum", ""], rows)
 

@@ -125,7 +125,7 @@ def by_exercise(records: list) -> list:
 
 
 def not_answered(records: list) -> list:
-    """Pairs: what ('06-ray-casting nearest_hit', or a stem without its file), how many."""
+    """What ('06-ray-casting nearest_hit', or a stem without its file), and how many; in the end how many are not listed."""
     count = {}
     for record in records:
         for stem in record["stems"]:
@@ -136,4 +136,5 @@ def not_answered(records: list) -> list:
                     if function["state"] == "unanswered":
                         what = f"{stem['stem']} {function['name']}"
                         count[what] = count.get(what, 0) + 1
-    return sorted(count.items(), key=lambda pair: (-pair[1], pair[0]))[:MOST]
+    order = sorted(count.items(), key=lambda pair: (-pair[1], pair[0]))
+    return [f"{what} ({number})" for what, number in order[:MOST]] + [f"and {len(order) - MOST} more"] * (len(order) > MOST)

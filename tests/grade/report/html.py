@@ -104,6 +104,11 @@ def share(part: dict) -> str:
     return "unasked" if not most else "full" if earned >= most else "none" if earned <= 0 else "some"
 
 
+def decided(stem: dict):
+    """What the instructor has made of the chapter's marks."""
+    return tag("div", "decided: " + stem["decided"], class_="quiet") if stem.get("decided") else None
+
+
 def marks(record: dict):
     rows = []
     for stem in record["stems"]:
@@ -111,7 +116,7 @@ def marks(record: dict):
         rows.append(tag("tr",
                         tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
                         tag("td", odd if stem["max"] else "counts nothing", class_="warn" if odd else None),
-                        tag("td", score(stem), class_=share(stem))))
+                        tag("td", score(stem), decided(stem), class_=share(stem))))
     heads = [tag("th", "chapter", scope="col"), tag("th", scope="col", aria_label="state"),
              tag("th", "marks", scope="col")]
     return tag("table", tag("caption", "Marks by chapter"), tag("thead", tag("tr", *heads)), tag("tbody", *rows))
@@ -169,7 +174,9 @@ def pictures(record: dict, folder: str):
         return None
     figures = [tag("figure", tag("img", src=data_url(png), alt=f"the picture, {which}"), tag("figcaption", which))
                for which, png in found.items() if png]
-    return tag("section", tag("h2", "Your picture"), tag("div", *figures, class_="pair"))
+    theirs = [stem["stem"][:2] for stem in record["stems"] if stem["state"] == "judged"]
+    return tag("section", tag("h2", "Your picture"), tag("div", *figures, class_="pair"),
+               tag("p", f"Drawn by your chapters {', '.join(theirs)}. The reference answers for the others.", class_="quiet"))
 
 
 def decisions(record: dict):
@@ -179,6 +186,10 @@ def decisions(record: dict):
     parts = [f"{label} {number(record[part])}" for label, part in
              (("computed", "computed"), ("late", "penalty"), ("adjusted", "adjusted"), ("final", "score"))]
     return tag("section", tag("p", "; ".join(parts) + "."), tag("ul", *[tag("li", words) for words in record["decided"]]))
+
+
+def any_wrong(record: dict) -> bool:
+    return any(function["state"] != "right" for stem in record["stems"] for function in stem["functions"])
 
 
 def submission_page(record: dict, folder: str) -> str:
@@ -194,7 +205,7 @@ def submission_page(record: dict, folder: str) -> str:
     main = tag("main", marks(record) if chapters else None, pictures(record, folder), *chapters)
     foot = tag("p", "The same verdicts come from ", tag("code", "make exercises"),
                " in your own copy; what was drawn at random here is not in it, so look for the idea,"
-               " not for the numbers.", class_="quiet")
+               " not for the numbers.", class_="quiet") if any_wrong(record) else None
     return page(f"{record['submission']}: {score(record)}", head, main, tag("footer", foot))
 
 
@@ -251,7 +262,7 @@ def explain_again(records: list, figures: list):
                          tag("p", where, class_="quiet") if where else None,
                          lecture_figure(figure),
                          tag("details", tag("summary", "who"), tag("p", *who))))
-    blanks = ", ".join(f"{what} ({count})" for what, count in not_answered(records))
+    blanks = ", ".join(not_answered(records))
     if not items and not blanks:
         return None
     return tag("section", tag("h2", "What to explain again next week"),
@@ -278,7 +289,7 @@ def row(record: dict, stems: list, sums: tuple):
         name.append(tag("div", record["status"], class_="warn"))
     if words := reason(record):
         name.append(tag("div", words, class_="quiet"))
-    cells = [tag("td", number(found[stem]["score"]), class_=share(found[stem]))
+    cells = [tag("td", number(found[stem]["score"]), decided(found[stem]), class_=share(found[stem]))
              if stem in found else tag("td", "") for stem in stems]
     cells += [tag("td", number(record[part])) for part in sums]
     return tag("tr", tag("td", *name), tag("td", tag("b", number(record["score"]))), *cells)

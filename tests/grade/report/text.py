@@ -71,7 +71,7 @@ def mistakes(records: list) -> list:
         lines += wrapped("", made["sentence"], 6)
     if lines:
         lines = ["Made most: what to explain again next week"] + lines
-    blanks = [f"{what} ({count})" for what, count in not_answered(records)]
+    blanks = not_answered(records)
     if blanks:
         lines += ["Not answered, or no file"] + wrapped("", ", ".join(blanks), 6)
     return lines
