@@ -77,8 +77,7 @@ def mark_again(grader: Grader, found: list, class_list, given) -> list:
     if given.only:
         todo = [submission for submission in todo if submission.key in keys]
         if len(keys) != 1 or not todo:
-            fits = f"fits {len(keys)} people" if len(keys) > 1 else "expected one of those who handed in something"
-            stop(f"ONLY={given.only}: {fits}{class_list.hint(given.only)}")
+            stop(f"ONLY={given.only}: " + ("this person handed in nothing" if len(keys) == 1 else class_list.fits(given.only)))
         last = remembered(given.out).get("submissions")
         if last is not None and last != given.submissions.resolve():
             print(f"Put this into {last} as well: when the whole class is marked, what is there counts", file=sys.stderr)
@@ -91,7 +90,7 @@ def grade() -> int:
     try:
         grader = Grader(given)
         class_list = class_of(given.submissions, given.roster, grader.stems)
-        grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys, class_list.hint)
+        grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys, class_list.fits)
         check_marks(given.ledger, grader.ledger, grader.points_of())
     except (PolicyError, SheetError) as error:
         stop(str(error))

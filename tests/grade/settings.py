@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from grade import policy
+from grade.report.files import put
 
 LARGEST_SEED = 2**63 - 1
 
@@ -48,9 +49,7 @@ def remembered(out: Path) -> dict[str, Path]:
 def remember(given: argparse.Namespace) -> None:
     files = {"policy": given.policy, "class": given.roster, "submissions": given.submissions}
     words = {name: str(path.resolve()) for name, path in files.items() if path is not None}
-    new = given.out / f".settings.{secrets.token_hex(6)}"
-    new.write_text(json.dumps(words), encoding="utf-8")
-    os.replace(new, given.out / ".settings.json")
+    put(str(given.out), ".settings.json", json.dumps(words))
 
 
 def as_last_time(out: Path, name: str, given: Path | None) -> Path | None:

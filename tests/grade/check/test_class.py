@@ -160,8 +160,8 @@ class Classes(unittest.TestCase):
 
     def test_a_word_that_fits_nobody_or_two_says_whom_it_may_mean(self):
         found = self.class_of({"anna/01-corners.c": b"x"}, self.ROSTER)
-        self.assertEqual([found.hint(words) for words in ("Ana Abel", "kim li", "zzz")],
-                         ["; closest: Anna Abel", ": Kim Li (3), Kim Li (4)", ""])
+        self.assertEqual([found.fits(words) for words in ("Ana Abel", "kim li", "zzz")],
+                         ["fits nobody of the class; closest: Anna Abel", "fits 2 people: Kim Li (3), Kim Li (4)", "fits nobody of the class"])
 
     def test_files_that_are_nobody_s_are_named_and_are_not_people(self):
         found = self.class_of({"Class list.xlsx": b"", "notes.txt": b"", "anna.pdf": b"", "ben/01-corners.c": b"x"}, self.ROSTER)

@@ -19,6 +19,10 @@ HEADING = "who,chapter,what,value,comment,by,when\n"
 PEOPLE = {"anna": ["1"], "ben": ["2"], "kim": ["3", "4"]}
 
 
+def fits(who: str) -> str:
+    return f"fits {len(PEOPLE.get(who, []))} people"
+
+
 def two_chapters() -> dict:
     """6 of 10 and 8 of 20."""
     return record("anna", [stem("01-corners", [function("a", most=6.0), function("b", state="wrong", most=4.0)]),
@@ -32,7 +36,7 @@ class Ledgers(WithFolder):
 
     def read(self, lines: str):
         self.path.write_text(HEADING + lines)
-        return read_ledger(self.path, STEMS, lambda who: PEOPLE.get(who, []))
+        return read_ledger(self.path, STEMS, lambda who: PEOPLE.get(who, []), fits)
 
     def after(self, lines: str, percent_late: int = 0, **changes) -> dict:
         found = {**two_chapters(), **changes}
@@ -111,7 +115,7 @@ class Ledgers(WithFolder):
             self.assertEqual((found["computed"], found["score"]), (None, final))
 
     def test_a_wrong_line_is_an_error_with_its_number(self):
-        for lines, words in (("ben,,mark,1,,,\nzoe,,mark,1,,,\n", "3: zoe fits nobody of the class"),
+        for lines, words in (("ben,,mark,1,,,\nzoe,,mark,1,,,\n", "3: zoe fits 0 people"),
                              ("kim,,mark,1,,,\n", "2: kim fits 2 people"),
                              (",,mark,1,,,\n", "2: nobody is named"),
                              ("anna,9,mark,1,,,\n", "2: no chapter is called 9, expected 01-corners, 05-quadratic"),
@@ -135,12 +139,12 @@ class Ledgers(WithFolder):
         for raw in ("\ufeffwho;chapter;what;value;comment;by;when\r\nanna;;mark;7;;;\r\n".encode(),
                     "what\tvalue\twho\tchapter\nmark\t7\tanna\t\n".encode("utf-16")):
             self.path.write_bytes(raw)
-            found = read_ledger(self.path, STEMS, lambda who: PEOPLE.get(who, []))
+            found = read_ledger(self.path, STEMS, lambda who: PEOPLE.get(who, []), fits)
             self.assertEqual([one.value for one in found.of("1").all], [7])
 
     def test_a_line_that_would_not_hold_leaves_the_ledger_as_it_was(self):
         def add(*cells):
-            return add_decision(self.path, list(cells), STEMS, lambda who: PEOPLE.get(who, []))
+            return add_decision(self.path, list(cells), STEMS, lambda who: PEOPLE.get(who, []), fits)
         self.assertEqual(add("anna", "1", "points", "-3", "=cmd()", "MK", "2025-11-14"), 2)
         before = self.path.read_bytes()
         self.assertEqual(before.decode(), HEADING + "anna,1,points,-3,'=cmd(),MK,2025-11-14\n")
@@ -152,17 +156,17 @@ class Ledgers(WithFolder):
         program = ("import sys; sys.path.insert(0, 'tests'); from pathlib import Path\n"
                    "from grade.people.ledger import add_decision\n"
                    "for at in range(40):\n"
-                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', 'word', '', ''], [], lambda who: ['1'])\n")
+                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', 'word', '', ''], [], lambda who: ['1'], str)\n")
         writing = [subprocess.Popen([sys.executable, "-c", program, self.path]) for _ in range(3)]
         self.assertEqual([one.wait() for one in writing], [0, 0, 0])
-        self.assertEqual(len(read_ledger(self.path, STEMS, lambda who: ["1"]).of("1").all), 120)
+        self.assertEqual(len(read_ledger(self.path, STEMS, lambda who: ["1"], str).of("1").all), 120)
 
     def test_killed_while_it_is_written_no_line_is_lost(self):
         """Twenty kills; each line that was acknowledged is there, and nothing else."""
         program = ("import sys; sys.path.insert(0, 'tests'); from pathlib import Path\n"
                    "from grade.people.ledger import add_decision\n"
                    "for at in range(10**6):\n"
-                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', f'{sys.argv[2]} {at}', '', ''], [], lambda who: ['1'])\n"
+                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', f'{sys.argv[2]} {at}', '', ''], [], lambda who: ['1'], str)\n"
                    "    print(at, flush=True)\n")
         chance, done = random.Random(5), []
         for again in range(20):
@@ -172,7 +176,7 @@ class Ledgers(WithFolder):
             adding.send_signal(signal.SIGKILL)
             rest = adding.communicate()[0].split()
             done.append(1 + len(rest))
-            found = [one.comment for one in read_ledger(self.path, STEMS, lambda who: ["1"]).of("1").all]
+            found = [one.comment for one in read_ledger(self.path, STEMS, lambda who: ["1"], str).of("1").all]
             for run, least in enumerate(done):
                 lines = [comment for comment in found if comment.startswith(f"{run} ")]
                 self.assertEqual(lines, [f"{run} {at}" for at in range(len(lines))])

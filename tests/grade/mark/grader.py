@@ -76,7 +76,7 @@ class Grader:
         self.stems = exercises.stems(self.exercises)
         self.policy = policies.load(given.policy, self.exercises)
         self.asked = policies.judged(self.policy, self.stems)
-        self.ledger = Ledger(None, self.stems, list)
+        self.ledger = Ledger(None, self.stems, list, str)
         self.again: set[str] | None = set()     # folders of what is marked again; None: everybody's
         self.again_stems = self.asked           # and their chapters
         self.kit = read_kit(given.kit.resolve())

@@ -8,7 +8,7 @@ from grade.collect import submissions
 from grade.collect.platforms import Claim
 from grade.visible import brief
 from .history import members
-from .matching import Finder, are_people, assigned, chosen
+from .matching import Finder, are_people, assigned, chosen, fits
 from .roster import Person, Roster
 from .sheets import SheetError
 
@@ -23,13 +23,9 @@ class ClassList:
         """Of those whom the words fit."""
         return [person.key for person in chosen(words, self.people)]
 
-    def hint(self, words: str) -> str:
-        """For words that do not fit exactly one person: whom they fit, or who comes closest."""
-        fits = chosen(words, self.people)
-        if len(fits) > 1:
-            return ": " + ", ".join(f"{brief(one.name)} ({brief(one.key)})" for one in fits)
-        near = Finder(self.people).nearest(Claim(name=words))
-        return f"; closest: {', '.join(map(brief, near))}" if near else ""
+    def fits(self, words: str) -> str:
+        """What is said of words that do not fit exactly one person."""
+        return fits(Finder(self.people), chosen(words, self.people), (Claim(name=words),), "of the class")
 
 
 def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassList:

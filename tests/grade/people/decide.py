@@ -34,7 +34,7 @@ def main() -> None:
         if not people.people:
             stop(f"OUT={out} holds no marks yet, so nobody is known: mark the class first, or say CLASS=list.csv")
         line = add_decision(path, [who, chapter, what, value, comment, by, time.strftime("%Y-%m-%d")],
-                            exercises.stems(exercises.read()), people.keys, people.hint)
+                            exercises.stems(exercises.read()), people.keys, people.fits)
     except SheetError as error:
         stop(f"nothing is written: {error}")
     except OSError as error:

@@ -240,7 +240,7 @@ def main() -> None:
         folder.mkdir(parents=True, exist_ok=True)
         stems = exercises.stems(exercises.read())
         class_list = class_of(directory, roster, stems)
-        ledger = read_ledger(Path(setting("LEDGER", str(out / "ledger.csv"))), stems, class_list.keys, class_list.hint)
+        ledger = read_ledger(Path(setting("LEDGER", str(out / "ledger.csv"))), stems, class_list.keys, class_list.fits)
         everybody = results(class_list, out, ledger)
         written = [pages_for(platform, everybody, folder)]
         if grades:

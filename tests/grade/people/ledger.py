@@ -114,15 +114,11 @@ def contradicts(one: Decision, other: Decision) -> bool:
                                           "extra days" not in (one.what, other.what))
 
 
-def no_hint(words: str) -> str:
-    return ""
-
-
 class Ledger:
     """decisions: by the key that find gives."""
 
-    def __init__(self, sheet: Sheet | None, stems: list, find: Callable[[str], list], hint: Callable[[str], str] = no_hint):
-        """find: the keys of those whom a word fits; hint: what is said of one that does not fit one person. SheetError with a line,
+    def __init__(self, sheet: Sheet | None, stems: list, find: Callable[[str], list], fits: Callable[[str], str]):
+        """find: the keys of those whom a word fits; fits: what is said of one that does not fit one person. SheetError with a line,
         then, and if two decisions contradict each other."""
         self.decisions: dict[str, Decided] = {}
         if sheet is None:
@@ -137,8 +133,7 @@ class Ledger:
             one = decision_in(sheet, row, columns, stems)
             keys = find(one.who)
             if len(keys) != 1:
-                fits = "fits nobody of the class" if not keys else f"fits {len(keys)} people"
-                raise SheetError(f"{path}:{row.line}: {brief(one.who)} {fits}{hint(one.who)}")
+                raise SheetError(f"{path}:{row.line}: {brief(one.who)} {fits(one.who)}")
             decided = self.decisions.setdefault(keys[0], Decided())
             for other in decided.all:
                 if contradicts(one, other):
@@ -159,12 +154,12 @@ def check_marks(path: Path, ledger: Ledger, most_of: dict[str, Fraction]) -> Non
                              f"{one.stem or 'all chapters'}; what is beyond is a credit")
 
 
-def read_ledger(path: Path, stems: list, find: Callable[[str], list], hint: Callable[[str], str] = no_hint) -> Ledger:
+def read_ledger(path: Path, stems: list, find: Callable[[str], list], fits: Callable[[str], str]) -> Ledger:
     """An empty one, if there is no such file."""
-    return Ledger(Sheet(path) if path.exists() else None, stems, find, hint)
+    return Ledger(Sheet(path) if path.exists() else None, stems, find, fits)
 
 
-def add_decision(path: Path, cells: list, stems: list, find: Callable[[str], list], hint: Callable[[str], str] = no_hint) -> int:
+def add_decision(path: Path, cells: list, stems: list, find: Callable[[str], list], fits: Callable[[str], str]) -> int:
     """Adds a line, and gives its number. SheetError, and the file as it was, if the ledger would not hold."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with open(path.with_name(f".{path.name}.lock"), "w") as lock:
@@ -178,7 +173,7 @@ def add_decision(path: Path, cells: list, stems: list, find: Callable[[str], lis
             row[column] = text
         sheet.add(row)
         new = Sheet(path, sheet.bytes())
-        Ledger(new, stems, find, hint)
+        Ledger(new, stems, find, fits)
         put(str(path.parent), path.name, sheet.bytes())
         return new.rows[-1].line
 

@@ -86,13 +86,17 @@ class Finder:
         return list(dict.fromkeys(known[word].name for word in close))[:NEAREST]
 
 
-def why_unlisted(finder: Finder, claims: tuple) -> str:
-    for claim in claims:
-        found = finder.find(claim)
-        if len(found) > 1:
-            return f"it fits {len(found)} people: {', '.join(f'{brief(one.name)} ({brief(one.key)})' for one in found[:NEAREST])}"
+def fits(finder: Finder, people: list, claims: tuple, of: str) -> str:
+    """What is said of claims that do not fit exactly one person: these, or nobody."""
+    if people:
+        return f"fits {len(people)} people: {', '.join(f'{brief(one.name)} ({brief(one.key)})' for one in people[:NEAREST])}"
     near = list(dict.fromkeys(name for claim in claims for name in finder.nearest(claim)))[:NEAREST]
-    return "it fits nobody on the list" + (f"; closest: {', '.join(map(brief, near))}" if near else "")
+    return f"fits nobody {of}" + (f"; closest: {', '.join(map(brief, near))}" if near else "")
+
+
+def why_unlisted(finder: Finder, claims: tuple) -> str:
+    people = next((found for claim in claims if len(found := finder.find(claim)) > 1), [])
+    return "it " + fits(finder, people, claims, "on the list")
 
 
 def assigned(found: list, roster: Roster) -> tuple:
