@@ -126,12 +126,6 @@ def forged(out: Path, count: int) -> list:
     complaints += [f"grades.csv: a cell begins with {cell[:9]!r}" for row in rows for cell in row
                    if cell[:1] in tuple("=+-@\t\r") and not re.fullmatch(r"-?[\d.]+", cell)]
     complaints += [f"grades.csv: status {row[1]!r}" for row in rows[1:] if row[1] not in STATUSES]
-    lines = (out / "grades.tap").read_text(encoding="utf-8").splitlines()
-    plan = [line for line in lines if re.match(r"1\.\.\d+", line)]
-    numbers = [int(match[1]) for line in lines if (match := re.match(r"(?:not )?ok (\d+)", line))]
-    if len(plan) != 1 or numbers != list(range(1, int(plan[0][3:]) + 1)) or numbers[-1] < count:
-        complaints.append(f"grades.tap: plan {plan}, {len(numbers)} results, expected at least {count}")
-    complaints += [f"grades.tap: {line}" for line in lines if line.startswith("Bail out!")]
     names = tuple(record_of(result)["submission"] for result in results(out))
     cases = [case.get("name", "") for case in xml.parse(out / "junit.xml").iter("testcase")]
     complaints += [f"junit.xml: a test case {case}" for case in cases if not case.startswith(names)]

@@ -1,30 +1,9 @@
 """read_back.py - readers of the reports' formats that share nothing with their writers.
 
-Of TAP, of HTML, and of CSV: the last reads what RFC 4180 allows and nothing else.
+Of HTML, and of CSV: the latter reads what RFC 4180 allows and nothing else.
 """
 import html.parser
 import re
-
-
-def tap_points(data: bytes) -> list:
-    """Pairs of ok and description, of a TAP 13 that has nothing else than its writer promised."""
-    lines = data.decode("utf-8").split("\n")
-    assert lines.pop() == "" and lines[0] == "TAP version 13"
-    points, inside = [], False
-    for line in lines[2:]:
-        if inside:
-            inside = line != "  ..."
-            assert not inside or re.fullmatch(
-                r'  (severity: \w+|comment:|message: "([^"\\]|\\.)*"|  - "([^"\\]|\\.)*")', line
-            ), line
-        elif line == "  ---":
-            inside = True
-        elif not line.startswith("# "):
-            ok, place, words = re.fullmatch(r"(ok|not ok) (\d+) - (.*)", line).groups()
-            points.append((ok == "ok", words))
-            assert int(place) == len(points)
-    assert lines[1] == f"1..{len(points)}" and not inside
-    return points
 
 
 def strict_csv(data: bytes) -> list:

@@ -1,4 +1,4 @@
-"""test_reports.py - nothing that a student wrote forges a result in JSON, XML, TAP or CSV, acts on a terminal, or is
+"""test_reports.py - nothing that a student wrote forges a result in JSON, XML or CSV, acts on a terminal, or is
 more than words on a page; a comment says what 'make exercises' prints, and nothing hidden; a file is whole or not there.
 
 Each report is read back by readers that share nothing with its writer, and what they count is what the records say.
@@ -10,7 +10,6 @@ import json
 import os
 import random
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,7 +21,7 @@ from unittest import mock
 
 from grade.report import files
 from grade.report.comment import fields, fitted, function_lines, stem_lines, stem_says, width
-from grade.report.formats import grades_csv, grades_tap, junit_xml, results_json
+from grade.report.formats import grades_csv, junit_xml, results_json
 from grade.report.html import class_page, submission_page
 from grade.report.points import clean, points
 from grade.report.text import closing
@@ -65,9 +64,6 @@ class ReportFormats(Sentences):
             error = xml.dom.minidom.parseString(junit_xml([one])).getElementsByTagName("error")[0]
             self.check(f"{status}: JUnit has an error with the reason",
                        (error.getAttribute("message"), error.getAttribute("type")) == (reason, status), error)
-            ok, words = read_back.tap_points(grades_tap([one]).encode())[0]
-            self.check(f"{status}: TAP has a point that is not ok", not ok and words.endswith(status), words)
-            self.check(f"{status}: and its message is the reason", json.dumps(reason) in grades_tap([one]))
         self.check("what cannot be read is 0 for Gradescope, which shows no reason without a score",
                    gradescope(whole)["score"] == 0 and whole["score"] is None)
         self.check("what is read in part has the marks of the rest", len(points(clean(partly))) > 1
@@ -135,32 +131,12 @@ class ReportFormats(Sentences):
         self.check("a submission without stems has its case",
                    junit_xml([record("a", [], "crashed")]).count(b"<testcase") == 1)
 
-    def test_tap(self):
-        data = grades_tap(HOSTILES).encode()
-        found = read_back.tap_points(data)
-        self.check("TAP has a point per function and per stem without verdicts",
-                   len(found) == POINTS * len(HOSTILE))
-        self.check("only right, waiting and skipped points are ok",
-                   sum(ok for ok, _ in found) == 3 * len(HOSTILE))
-        self.check("no directive but ours",
-                   sum(bool(re.search(r"(?<!\\)(\\\\)*#", words)) for _, words in found) == len(HOSTILE))
-        if shutil.which("prove") is None:
-            self.skip("TAP as prove reads it: no prove (make setup FOR=contributor)")
-            return
-        for name, them in (("hostile", HOSTILES), ("ordinary", [*ORDINARY, compile_errors()])):
-            path = self.work / f"{name}.tap"
-            path.write_text(grades_tap(them), encoding="utf-8")
-            said = subprocess.run(["prove", path], capture_output=True, text=True, errors="replace").stdout
-            self.check(f"prove reads the points of the {name} class, and no error", "Parse errors" not in said
-                       and f"Tests={sum(len(points(clean(one))) for one in them)}," in said, said)
-
 
 # ---- the grade book, the terminal, and all of them ----------------------------------------------
 
 
 # No C0 or C1 except line ends, no characters that break or reverse lines, and no invalid ones.
 NO_CONTROLS = re.compile("[^\x00-\x09\x0b-\x1f\x7f-\x9f" "\u2028\u2029\u202a-\u202e\u2066-\u2069\ufeff\ufffe\uffff]*")
-
 
 
 class ReportTables(Sentences):
@@ -215,8 +191,7 @@ class ReportTables(Sentences):
                    "    2 of 5  05-quadratic  object_quadratic\n      fails: the deck\n" in closing(made))
 
     def test_all(self):
-        reports = {"grades.csv": grades_csv, "junit.xml": lambda them: junit_xml(them).decode(), "grades.tap": grades_tap,
-                   "terminal": closing}
+        reports = {"grades.csv": grades_csv, "junit.xml": lambda them: junit_xml(them).decode(), "terminal": closing}
         mixed = HOSTILES + ORDINARY
         shuffled = random.Random(1).sample(mixed, len(mixed))
         unsafe = [{**one, "unsafe": True} for one in ORDINARY]
@@ -420,7 +395,7 @@ class Comment(Sentences):
         results = json.loads(results_json(one))
         del results["extra_data"]
         told = {"index.html": submission_page(one, "."), "results.json": json.dumps(results),
-                "junit.xml": junit_xml([one]).decode(), "grades.tap": grades_tap([one])}
+                "junit.xml": junit_xml([one]).decode()}
         for name, text in told.items():
             self.check(f"{name} describes a hidden input and does not print it",
                        not any(canary in text for canary in ("8.12345", "CANARY"))
@@ -431,7 +406,7 @@ class Comment(Sentences):
 # ---- files ---------------------------------------------------------------------------------------
 
 
-CLASS = {"grades.csv", "grades.tap", "junit.xml", "index.html"}
+CLASS = {"grades.csv", "junit.xml", "index.html"}
 
 
 def contents(folder: Path) -> dict:
@@ -465,7 +440,7 @@ class ReportFiles(Sentences):
             subprocess.run([sys.executable, "-B", "-c", program, self.work / seed], check=True, cwd=PACKAGES,
                            env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C"})
             written.append(contents(self.work / seed))
-        self.check("two runs write the same bytes, whatever the locale", written[0] == written[1] and len(written[0]) == 6)
+        self.check("two runs write the same bytes, whatever the locale", written[0] == written[1] and len(written[0]) == 5)
 
     def test_whole_or_not(self):
         one, out = ordinary_class()[0], str(self.work)

@@ -9,7 +9,7 @@ import os
 import secrets
 import time
 
-from .formats import grades_csv, grades_tap, junit_xml, results_json
+from .formats import grades_csv, junit_xml, results_json
 from .html import class_page, submission_page
 
 STALE = 3600  # seconds; what is older was left by a grader that was killed
@@ -65,7 +65,7 @@ def write_class(records: list, out_path: str, history=(), figures=()) -> None:
     """history: the changes of marks, the oldest first. figures: files in the folder 'figures', '' or one for each of
     most_made(records)."""
     os.makedirs(out_path, exist_ok=True)
-    reports = {"grades.csv": grades_csv, "junit.xml": junit_xml, "grades.tap": grades_tap,
+    reports = {"grades.csv": grades_csv, "junit.xml": junit_xml,
                "index.html": lambda records: class_page(records, history, figures)}
     for name, report in reports.items():
         put(out_path, name, report(records))

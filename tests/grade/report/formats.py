@@ -1,4 +1,4 @@
-"""formats.py - the reports that programs read: grades.csv, junit.xml, grades.tap, and Gradescope's results.json."""
+"""formats.py - the reports that programs read: grades.csv, junit.xml, and Gradescope's results.json."""
 import csv
 import io
 import json
@@ -63,7 +63,7 @@ def grades_csv(records: list) -> str:
     return table(rows)
 
 
-# ---- junit.xml and grades.tap -------------------------------------------------------------------
+# ---- junit.xml ----------------------------------------------------------------------------------
 
 
 def comment_text(point: dict) -> str:
@@ -112,40 +112,6 @@ def junit_xml(records: list) -> bytes:
             add_case(suite, record["submission"], point, used)
     ElementTree.indent(root, " ")
     return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
-
-
-def tap_text(text: str) -> str:
-    return text.replace("\\", "\\\\").replace("#", "\\#")
-
-
-def quoted(text: str) -> str:
-    """A YAML string in double quotes: JSON's is one."""
-    return json.dumps(text, ensure_ascii=False)
-
-
-def list_item(text: str) -> str:
-    """Perl's reader takes a first word with a colon after it for a key, even in quotes."""
-    return "    - " + re.sub(r"^(\S*\s*):(?=\s)", r"\1\\x3a", quoted(text))
-
-
-def grades_tap(records: list) -> str:
-    """Version 13, because Perl's 'prove' reads no newer one."""
-    records = clean_class(records)
-    told = [(record, point) for record in records for point in points(record)]
-    lines = ["TAP version 13", f"1..{len(told)}"]
-    if any_unsafe(records):
-        lines.append(f"# {UNSAFE}")
-    for place, (record, point) in enumerate(told, 1):
-        well = point["outcome"] in ("passed", "skipped")
-        line = f"{'ok' if well else 'not ok'} {place} - " + tap_text(f"{record['submission']}: {point['name']}")
-        if point["outcome"] == "skipped":
-            line += " # SKIP " + tap_text(point["message"])
-        lines.append(line)
-        if not well:
-            severity = "fail" if point["outcome"] == "failure" else "error"
-            lines += ["  ---", f"  message: {quoted(point['message'])}", f"  severity: {severity}", "  comment:",
-                      *map(list_item, comment_text(point).split("\n")), "  ..."]
-    return "\n".join(lines) + "\n"
 
 
 # ---- results.json -------------------------------------------------------------------------------

@@ -328,7 +328,7 @@ def gallery(records: list):
 def facts(records: list):
     rows = [("class", how_many(records).rstrip(".")), *circumstances(records)]
     files = []
-    for name in ("grades.csv", "history.csv", "junit.xml", "grades.tap"):
+    for name in ("grades.csv", "history.csv", "junit.xml"):
         files += [", " if files else "", tag("a", name, href=address(name))]
     rows = [part for name, value in rows for part in (tag("dt", name), tag("dd", value))]
     return tag("dl", *rows, tag("dt", "also"), tag("dd", *files))
