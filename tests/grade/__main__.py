@@ -20,7 +20,7 @@ from grade.people.class_list import class_of  # noqa: E402
 from grade.people.history import members, remember  # noqa: E402
 from grade.people.ledger import check_marks, read_ledger, stem_named  # noqa: E402
 from grade.people.sheets import SheetError  # noqa: E402
-from grade.policy import PolicyError, came_in  # noqa: E402
+from grade.policy import PolicyError, came_in, names_in_times  # noqa: E402
 from grade.report import files, text  # noqa: E402
 from grade.report.points import FAILED, NOTHING  # noqa: E402
 from grade.settings import arguments, remember as remember_settings, remembered, stop  # noqa: E402
@@ -42,7 +42,7 @@ def mention(found: list, others: list, stems: list, folder) -> None:
 def mention_times(policy, found: list) -> None:
     if policy.times is None:
         return
-    known = {name for submission in found for name in (submission.name, submission.folder)}
+    known = {name for submission in found for name in names_in_times(submission)}
     for name in sorted(set(policy.times) - known):
         print(f"No submission is called {visible(name)}, whose time is given", file=sys.stderr)
     without = [submission.name for submission in found if submission.parts and came_in(policy, submission, None) is None]

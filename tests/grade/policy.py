@@ -22,6 +22,8 @@ NUMBER = re.compile(r"\d{1,5}(\.\d{1,2})?", re.ASCII)
 TIME = re.compile(r"(\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d)(?::(\d\d))?(Z|[+-]\d\d:\d\d)?", re.ASCII)
 LATE = re.compile(r"(\S+)% per (day|hour), at most (\S+)%")
 A_TIME = "a time such as 2025-11-14T23:59+01:00"
+WORKSHEET = ("Identifier", "Last modified (submission)")    # Moodle's, in English
+MOODLE_S = ("%A, %d %B %Y, %I:%M %p", "%A, %B %d, %Y, %I:%M %p", "%A, %d %B %Y, %H:%M")
 SECONDS = {"day": 86400, "hour": 3600}
 
 
@@ -37,7 +39,7 @@ class Policy:
     percent: Fraction = Fraction(0)             # lost for each unit begun
     unit: str = "day"
     most: Fraction = Fraction(0)
-    times: Optional[dict] = None                # submission -> seconds since 1970
+    times: Optional[dict] = None                # submission, or Moodle's participant -> seconds since 1970
     waiting: bool = True                        # whether a function that waits has its marks
     judges_all: bool = False                    # also chapters that are worth nothing
 
@@ -74,26 +76,41 @@ def time_in(text: str) -> datetime:
             from None
 
 
+def moodle_s(text: str) -> Optional[datetime]:
+    """Friday, 14 November 2025, 11:59 PM; of the time zone of this machine."""
+    for form in MOODLE_S:
+        try:
+            return datetime.strptime(text, form).astimezone()
+        except ValueError:
+            pass
+    return None
+
+
 def times_in(path: Path) -> dict:
-    """When each submission came in, as a file says."""
+    """When each submission came in, as a file says: one's own, or Moodle's grading worksheet."""
     times = {}
     try:
         with open(path, encoding="utf-8-sig", newline="") as file:
             rows = csv.reader(file, strict=True)
-            if [cell.strip() for cell in next(rows, [])] != ["submission", "time"]:
-                raise PolicyError(f"{path}:1: not the first line, expected 'submission,time'")
+            heads = [cell.strip() for cell in next(rows, [])]
+            pair = next((pair for pair in (("submission", "time"), WORKSHEET) if set(pair) <= set(heads)), None)
+            if pair is None:
+                raise PolicyError(f"{path}:1: not the first line, expected 'submission,time', or Moodle's grading worksheet")
+            who_at, when_at = map(heads.index, pair)
             for row in rows:
                 if not row:
                     continue
                 where = f"{path}:{rows.line_num}"
-                if len(row) != 2:
-                    raise PolicyError(f"{where}: {len(row)} cells, "
-                                      "expected a submission and a time")
-                if row[0] in times:
-                    raise PolicyError(f"{where}: {brief(row[0])} is here twice, "
+                if len(row) != len(heads):
+                    raise PolicyError(f"{where}: {len(row)} cells, expected {len(heads)}: {brief(', '.join(heads))}")
+                who, when = row[who_at], row[when_at].strip()
+                if pair == WORKSHEET and when in ("", "-"):
+                    continue    # nothing handed in
+                if who in times:
+                    raise PolicyError(f"{where}: {brief(who)} is here twice, "
                                       "expected once")
                 try:
-                    times[row[0]] = int(time_in(row[1].strip()).timestamp())
+                    times[who] = int((moodle_s(when) or time_in(when)).timestamp())
                 except PolicyError as error:
                     raise PolicyError(f"{where}: {error}") from None
     except (OSError, UnicodeError, csv.Error) as error:
@@ -213,11 +230,17 @@ def judged(policy: Policy, stems: list) -> list:
     return stems if policy.judges_all or not paid else paid
 
 
+def names_in_times(submission) -> list:
+    """What it is called in a file of times."""
+    numbers = [claim.number for claim in submission.claims] + [submission.person.number if submission.person else ""]
+    return [submission.name, submission.folder, *(f"Participant {number}" for number in numbers if number)]
+
+
 def came_in(policy: Policy, submission, collected) -> Optional[int]:
     """When, in seconds since 1970; None where nobody knows."""
     if policy.times is None:
         return collected.when
-    return policy.times.get(submission.name, policy.times.get(submission.folder))
+    return next((policy.times[name] for name in names_in_times(submission) if name in policy.times), None)
 
 
 def duration(seconds: int) -> str:

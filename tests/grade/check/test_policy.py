@@ -30,6 +30,15 @@ class Written(WithFolder):
         super().setUp()
         self.file = self.work / "policy"
 
+    def zone(self, name):
+        """The time zone of this machine, in this test."""
+        was = os.environ.get("TZ")
+        self.addCleanup(time.tzset)
+        self.addCleanup(os.environ.pop if was is None else os.environ.update,
+                        *(("TZ", None) if was is None else ({"TZ": was},)))
+        os.environ["TZ"] = name
+        time.tzset()
+
     def load(self, text):
         self.file.write_text(text, encoding="utf-8")
         return policy.load(self.file, KNOWN)
@@ -172,12 +181,7 @@ class Late(Written):
             policy.late(self.load(self.HEAD), when, 80.0)
 
     def test_a_time_without_an_offset_is_that_of_this_machine(self):
-        was = os.environ.get("TZ")
-        self.addCleanup(time.tzset)
-        self.addCleanup(os.environ.pop if was is None else os.environ.update,
-                        *(("TZ", None) if was is None else ({"TZ": was},)))
-        os.environ["TZ"] = "EST+5"
-        time.tzset()
+        self.zone("EST+5")
         self.assertEqual(self.load("due 2025-11-14 17:59").due.timestamp(), DUE)
 
     def test_offsets_are_read(self):
@@ -189,7 +193,7 @@ class CameIn(Written):
     def came_in(self, text, name="a\\nb", folder="a\nb"):
         (self.file.parent / "came in.csv").write_text(text, encoding="utf-8")
         ours = self.load("times came in.csv")
-        return policy.came_in(ours, SimpleNamespace(name=name, folder=folder),
+        return policy.came_in(ours, SimpleNamespace(name=name, folder=folder, claims=[SimpleNamespace(number="123")], person=None),
                               SimpleNamespace(when=7))
 
     def test_files_tell_by_default(self):
@@ -199,6 +203,16 @@ class CameIn(Written):
         for name in ("a\\nb", '"a\nb"'):
             self.assertEqual(self.came_in(f"submission,time\r\n{name},2025-11-14T22:59Z\r\n"), DUE)
         self.assertIsNone(self.came_in("submission,time\n"))
+
+    def test_moodle_s_worksheet_tells_by_the_participant(self):
+        self.zone("UTC")
+        for when in ("Friday, 14 November 2025, 10:59 PM", "Friday, November 14, 2025, 10:59 PM", "Friday, 14 November 2025, 22:59"):
+            text = ('Identifier,"Full name",Grade,"Last modified (submission)"\n"Participant 12","Al B",,-\n'
+                    f'"Participant 123","Jo ""J"" Li",,"{when}"\n')
+            self.assertEqual(self.came_in(text), DUE)
+        self.assertIsNone(self.came_in(text.replace("123", "124")))
+        with self.assertRaisesRegex(policy.PolicyError, "csv:3: .*Freitag.* is not a time"):
+            self.came_in(text.replace("Friday, 14 November", "Freitag, 14. November"))
 
     def test_a_csv_file_that_is_not_understood_is_an_error_with_both_lines(self):
         for text, line in (("", 1), ("name,time\n", 1), ("submission,time\nanna\n", 2),
