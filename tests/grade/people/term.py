@@ -5,6 +5,9 @@
 Writes WEEKS/term.html: who handed in, which mistakes come back, who has which function right, everybody's marks; and
 WEEKS/term.csv, everybody's marks. Somebody is the same person in all weeks if the list of the class says so; without a
 list, if the submissions have one name. Nothing is marked here.
+
+WEEKS/weights.csv, if it is there, says what a week counts (week,weight; 1 where it says nothing; a line 'best,8': only
+the best 8 count). Without it each point counts the same.
 """
 from __future__ import annotations
 
@@ -19,14 +22,15 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
 
 from grade.people.history import members  # noqa: E402 - found from there on
-from grade.policy import rounded  # noqa: E402
+from grade.people.sheets import Sheet, SheetError  # noqa: E402
+from grade.policy import PolicyError, number_in, rounded  # noqa: E402
 from grade.report.figures import by_exercise, handed_in, made_by, percent, scored  # noqa: E402
 from grade.report.files import put, read_record  # noqa: E402
 from grade.report.formats import mark, table  # noqa: E402
 from grade.report.html import page, tag  # noqa: E402
 from grade.report.points import NOTHING, clean_class  # noqa: E402
 from grade.settings import stop  # noqa: E402
-from grade.visible import number, visible, why  # noqa: E402
+from grade.visible import brief, number, visible, why  # noqa: E402
 
 MOST_MISTAKES = 20
 FIELDS = ("id", "login", "mail", "section")
@@ -63,6 +67,39 @@ def weeks_of(term: Path) -> list[Week]:
     return [read_week(out) for out in sorted(term.iterdir(), key=lambda out: in_order(out.name)) if members(out)]
 
 
+def weights_of(term: Path, weeks: list[Week]) -> dict | None:
+    """Week, and perhaps 'best' -> number; None if each point counts the same. SheetError."""
+    if not (term / "weights.csv").exists():
+        return None
+    sheet = Sheet(term / "weights.csv")
+    columns, known, weights = [sheet.column("week"), sheet.column("weight")], [*(week.name for week in weeks), "best"], {}
+    if None in columns:
+        raise SheetError(f"{sheet.path}:1: not the first line, expected 'week,weight'")
+    for row in sheet.rows[1:]:
+        name, weight = (sheet.cell(row, column) for column in columns)
+        try:
+            if name not in known or name in weights:
+                raise PolicyError(f"{brief(name)} is {'given twice' if name in weights else 'no week'}, "
+                                  f"expected {', '.join(known)}, each once")
+            weights[name] = number_in(weight, 0, 1000)
+        except PolicyError as error:
+            raise SheetError(f"{sheet.path}:{row.line}: {error}") from None
+    return weights
+
+
+def share_of(there: list, weeks: list[Week], weights: dict | None) -> Fraction | None:
+    """What somebody has of what could be had, of the weeks that have a score."""
+    counted = [(Fraction(str(record["score"])), Fraction(str(record["max"])), week.name)
+               for record, week in zip(there, weeks) if record and record["score"] is not None and record["max"]]
+    if weights is None:
+        parts = [(score, most) for score, most, _ in counted]
+    else:
+        parts = [(weight * score / most, weight) for score, most, name in counted for weight in [weights.get(name, Fraction(1))]]
+        parts = sorted((part for part in parts if part[1]), key=lambda part: -part[0] / part[1])[:int(weights.get("best", len(parts)))]
+    most = sum(most for _, most in parts)
+    return Fraction(sum(score for score, _ in parts)) / most if most else None
+
+
 def key_of(record: dict) -> str:
     person = record["person"]
     return next(filter(None, map(person.get, ("id", "login", "mail", "name"))), record["submission"])
@@ -89,12 +126,17 @@ def still_open(there: list) -> int:
     return sum(record is not None and record["score"] is None and not record["decided"] for record in there)
 
 
-def term_csv(weeks: list[Week]) -> str:
+def percent_text(there: list, weeks: list[Week], weights: dict | None) -> str:
+    share = share_of(there, weeks, weights)
+    return "" if share is None else number(rounded(100 * share))
+
+
+def term_csv(weeks: list[Week], weights: dict | None = None) -> str:
     rows = marks_of(weeks)
     known = [field for field in FIELDS if any(person.get(field) for person, *_ in rows)]
-    return table([["name", *known, *(week.name for week in weeks), "sum", "of", "open"]] + [
+    return table([["name", *known, *(week.name for week in weeks), "sum", "of", "percent", "open"]] + [
         [person["name"], *(person.get(field, "") for field in known), *(mark(record and record["score"]) for record in there),
-         mark(rounded(total)), mark(rounded(most)), str(still_open(there))] for person, there, total, most in rows])
+         mark(rounded(total)), mark(rounded(most)), percent_text(there, weeks, weights), str(still_open(there))] for person, there, total, most in rows])
 
 
 # ---- the page -----------------------------------------------------------------------------------
@@ -139,17 +181,21 @@ def exercises(weeks: list[Week]):
     return part("Who has it right", ["exercise", *(week.name for week in weeks)], rows) if rows else None
 
 
-def everybody(weeks: list[Week]):
+def everybody(weeks: list[Week], weights: dict | None):
+    """What a week counts is in its heading."""
+    heads = [f"{week.name} (x {number(float(weights.get(week.name, 1)))})" if weights else week.name for week in weeks]
     rows = [[tag("td", tag("bdi", person["name"]), tag("div", person.get("section", ""), class_="quiet")),
              *["" if record is None else number(record["score"]) for record in there],
-             f"{number(rounded(total))} of {number(rounded(most))}" + (f", {still_open(there)} open" if still_open(there) else ""), f"{number(round(100 * total / most))} %" if most else ""]
+             f"{number(rounded(total))} of {number(rounded(most))}" + (f", {still_open(there)} open" if still_open(there) else ""),
+             percent_text(there, weeks, weights)]
             for person, there, total, most in marks_of(weeks)]
-    return part("Everybody", ["name", *(week.name for week in weeks), "sum", ""], rows)
+    best = f", of the best {number(float(weights['best']))}" if weights and "best" in weights else ""
+    return part("Everybody", ["name", *heads, "sum", "%" + best], rows)
 
 
-def term_page(weeks: list[Week]) -> str:
+def term_page(weeks: list[Week], weights: dict | None = None) -> str:
     return page("The term", tag("header", tag("h1", "The term"), tag("p", tag("a", "term.csv", href="./term.csv"))),
-                tag("main", week_by_week(weeks), mistakes(weeks), exercises(weeks), everybody(weeks)))
+                tag("main", week_by_week(weeks), mistakes(weeks), exercises(weeks), everybody(weeks, weights)))
 
 
 def main() -> None:
@@ -158,8 +204,11 @@ def main() -> None:
         weeks = weeks_of(term) if term.is_dir() else []
         if not weeks:
             stop(f"WEEKS={term}: expected a folder that the OUT of each week lies in, such as {term}/week-1")
-        put(str(term), "term.csv", term_csv(weeks))
-        put(str(term), "term.html", term_page(weeks))
+        weights = weights_of(term, weeks)
+        put(str(term), "term.csv", term_csv(weeks, weights))
+        put(str(term), "term.html", term_page(weeks, weights))
+    except SheetError as error:
+        stop(str(error))
     except (OSError, ValueError) as error:
         stop(f"{visible(str(getattr(error, 'filename', None) or term))}: {why(error)}")
     print(f"{len(weeks)} week{'s' * (len(weeks) != 1)}: {', '.join(visible(week.name) for week in weeks)}. {term}/term.html")
