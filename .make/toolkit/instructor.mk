@@ -92,8 +92,10 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/instructor.mk $(KIT_C
 
 # The ten submissions of the instructor's page.
 EXAMPLE_CLASS := build/example-class
-$(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py
+EXAMPLE_BLANKS := build/blanks/01-corners.c build/blanks/03-screen.c
+$(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py $(EXAMPLE_BLANKS)
 	$(Q)rm -rf $@ && python3 -B tests/grade/example/unpack.py $< $@
+	$(Q)mkdir $@/blank && cp $(EXAMPLE_BLANKS) $@/blank
 grade: $(filter $(EXAMPLE_CLASS),$(SUBMISSIONS))
 
 # By the environment, where any folder's name is just a name.
