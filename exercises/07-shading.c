@@ -58,7 +58,7 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
     // END SOLUTION
 }
 
-vec3 off_surface(Sphere sphere, vec3 point, vec3 normal)
+vec3 offset_from_surface(Sphere sphere, vec3 point, vec3 normal)
 {
     // BEGIN SOLUTION
     return NOT_ANSWERED(vec3);

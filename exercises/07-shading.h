@@ -53,7 +53,7 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
 // so that a ray from there does not meet the surface where it starts. The distance is at least
 // 2^-32 and at most 2^-28 times the size of the numbers. That size is the radius plus the largest
 // absolute value of a coordinate of the centre. Do not use a fixed epsilon: scenes have any size.
-vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
+vec3 offset_from_surface(Sphere sphere, vec3 point, vec3 normal);
 
 // How much of a light arrives at a point: 1, or 0 if any sphere is in between. A sphere beyond a
 // point light is not in between. If a light touches a surface (to 1e-6 of its radius), 0 and 1

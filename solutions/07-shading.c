@@ -82,7 +82,7 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
     // END SOLUTION
 }
 
-vec3 off_surface(Sphere sphere, vec3 point, vec3 normal)
+vec3 offset_from_surface(Sphere sphere, vec3 point, vec3 normal)
 {
     // BEGIN SOLUTION
     //~ return NOT_ANSWERED(vec3);
@@ -122,7 +122,7 @@ Color shade(const Scene *scene, Ray ray, Hit hit)
     const Surface *surface = scene_surface(scene, hit.sphere);
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = normal_at(sphere, point, ray);
-    vec3 start = off_surface(sphere, point, normal);
+    vec3 start = offset_from_surface(sphere, point, normal);
 
     Color sum = ambient_term(surface->color, surface->diffuse, scene->ambient);
     for (int i = 0; i < scene->light_count; i++) {
@@ -149,7 +149,7 @@ Color trace_ray(const Scene *scene, Ray ray, int depth)
         Sphere sphere = scene->spheres[hit.sphere];
         vec3 point = ray.origin + hit.t * ray.direction;
         vec3 normal = normal_at(sphere, point, ray);
-        Ray mirrored = {off_surface(sphere, point, normal),
+        Ray mirrored = {offset_from_surface(sphere, point, normal),
                         mirror_direction(ray.direction, normal)};
         color += ks * trace_ray(scene, mirrored, depth - 1);
     }

@@ -1077,7 +1077,8 @@ TEST(gamma_encode, a_colour_is_encoded_however_dark_it_is)
     }
 }
 
-// ---- off_surface: how far, and to which side ---------------------------------------------------
+// ---- offset_from_surface: how far, and to which side
+// ---------------------------------------------------
 
 // From a point of the sphere, straight to the side of the normal, by the step that the contract
 // allows: any number from 2^-32 to 2^-28 of the size.
@@ -1088,7 +1089,7 @@ static void expect_off(Sphere sphere, vec3 point, vec3 normal, double size)
     given_vec3("point", point);
     given_vec3("normal", normal);
     given("size", "%s", number_text_to(size, 10).s);
-    vec3 moved = off_surface(sphere, point, normal) - point;
+    vec3 moved = offset_from_surface(sphere, point, normal) - point;
     double along = vec3_dot(moved, normal), aside = vec3_length(moved - along * normal);
     char expected[200];
     snprintf(expected, sizeof expected,
@@ -1107,7 +1108,7 @@ static Sphere sphere_at_origin(vec3 outward, double radius)
     return sphere_at(-radius * outward, radius);
 }
 
-TEST(off_surface, outside_the_point_moves_away_from_the_centre)
+TEST(offset_from_surface, outside_the_point_moves_away_from_the_centre)
 {
     vec3 up = vec3_of(0, 1, 0), back = vec3_of(0, 0, -1), aslant = vec3_of(0.6, 0, 0.8);
     expect_off(sphere_at_origin(up, 1000), vec3_of(0, 0, 0), up, 2000);
@@ -1115,14 +1116,14 @@ TEST(off_surface, outside_the_point_moves_away_from_the_centre)
     expect_off(sphere_at_origin(aslant, 1000), vec3_of(0, 0, 0), aslant, 1800);
 }
 
-TEST(off_surface, inside_the_point_moves_towards_the_centre)
+TEST(offset_from_surface, inside_the_point_moves_towards_the_centre)
 {
     vec3 up = vec3_of(0, 1, 0), aslant = vec3_of(0.6, -0.8, 0);
     expect_off(sphere_at_origin(-up, 1000), vec3_of(0, 0, 0), up, 2000);
     expect_off(sphere_at_origin(-aslant, 5000), vec3_of(0, 0, 0), aslant, 9000);
 }
 
-TEST(off_surface, scenes_may_be_of_any_size)
+TEST(offset_from_surface, scenes_may_be_of_any_size)
 {
     vec3 up = vec3_of(0, 1, 0);
     for (int i = -9; i <= 9; i++) {
@@ -1133,7 +1134,7 @@ TEST(off_surface, scenes_may_be_of_any_size)
 }
 
 // The farther from the origin of the world, the coarser the numbers are.
-TEST(off_surface, a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one)
+TEST(offset_from_surface, a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one)
 {
     vec3 up = vec3_of(0, 1, 0);
     for (int i = 0; i < 3; i++) {
@@ -1151,7 +1152,7 @@ TEST(off_surface, a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one)
     expect_off(sphere_at(vec3_of(0, 0, 0), 0.9), 0.9 * up, up, 0.9);
 }
 
-TEST(off_surface, negative_coordinates_are_as_large_as_positive_ones)
+TEST(offset_from_surface, negative_coordinates_are_as_large_as_positive_ones)
 {
     vec3 up = vec3_of(0, 1, 0);
     for (int i = 0; i < 3; i++) {
@@ -1161,7 +1162,7 @@ TEST(off_surface, negative_coordinates_are_as_large_as_positive_ones)
     }
 }
 
-TEST(off_surface, anywhere_it_is_a_step_along_the_normal)
+TEST(offset_from_surface, anywhere_it_is_a_step_along_the_normal)
 {
     for (int i = 0; i < 30; i++) {
         double scale = random_size(1e8);
@@ -1525,7 +1526,7 @@ TEST(shade, inside_a_sphere_the_normal_points_to_the_eye)
 }
 
 // A hit is right only to within rounding. So these are in front of the surface or behind it by
-// 5e-11 of the radius, less than the smallest step of off_surface.
+// 5e-11 of the radius, less than the smallest step of offset_from_surface.
 TEST(shade, a_hit_that_rounding_put_just_inside_the_sphere_is_lit)
 {
     for (int i = -6; i <= 8; i += 2) {
@@ -1940,7 +1941,7 @@ PROBE(halfway_term, highlights_half_way)
     ask_for_no_highlights(halfway_term);
 }
 
-PROBE(off_surface, steps_off_any_surface)
+PROBE(offset_from_surface, steps_off_any_surface)
 {
     for (int i = 0; i < 2 * MANY; i++) {
         Sphere sphere = random_sphere(2, 0.2, 4);
@@ -1948,7 +1949,8 @@ PROBE(off_surface, steps_off_any_surface)
         if (i % 4 != 3)
             sphere.center[i % 3] = (i % 2 == 0 ? 1 : -1) * random_number(300, 3000);
         vec3 normal = random_unit();
-        off_surface(sphere, sphere.center + sphere.radius * normal, i % 2 == 0 ? normal : -normal);
+        offset_from_surface(sphere, sphere.center + sphere.radius * normal,
+                            i % 2 == 0 ? normal : -normal);
     }
 }
 

@@ -126,7 +126,7 @@ $(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(PNG_LIBS) -lm -pthread
-$(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_normal off_surface mirror_direction \
+$(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_normal offset_from_surface mirror_direction \
 	ray_to_light shade clamp_color
 
 # The deck's figures by known mistakes: a program for each chapter that has figures.

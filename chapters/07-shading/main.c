@@ -93,11 +93,11 @@ static void tell_shading(const Drawing *drawing, Pixel pixel, int depth)
     Sphere sphere = scene->spheres[hit.sphere];
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = surface_normal(sphere, point);
-    vec3 start = off_surface(sphere, point, normal);
+    vec3 start = offset_from_surface(sphere, point, normal);
     story_line("sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
     story_line("point", "%s", vec3_text(point).s);
     story_line("normal", "%s", vec3_text(normal).s);
-    story_line("off the surface by", "%s", number_text(vec3_length(start - point)).s);
+    story_line("shadow bias", "%s", number_text(vec3_length(start - point)).s);
     tell_surface(scene, hit.sphere);
     for (int i = 0; i < scene->light_count; i++)
         tell_light(scene, i, ray, hit, normal, start);

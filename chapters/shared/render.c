@@ -73,7 +73,7 @@ bool shading_needs_are_met(Style style)
     diffuse_term(white.color, 1, white_light, normal, lamp.position);
     mirror_direction(ray.direction, normal);
     phong_term(1, 1, white_light, normal, lamp.position, -ray.direction);
-    off_surface(ball, point, normal);
+    offset_from_surface(ball, point, normal);
     visibility(&scene, point, lamp);
     shade(&scene, ray, (Hit){3, 0});
     clamp_color(trace_ray(&scene, ray, 1));

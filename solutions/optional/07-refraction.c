@@ -31,11 +31,11 @@ static vec3 refracted_direction(vec3 direction, vec3 normal, double ratio)
 static Ray through_glass(Sphere ball, Ray ray, double t)
 {
     vec3 in = ray.origin + t * ray.direction, normal = surface_normal(ball, in);
-    Ray inside = {off_surface(ball, in, -normal),
+    Ray inside = {offset_from_surface(ball, in, -normal),
                   refracted_direction(vec3_unit(ray.direction), normal, glass)};
     vec3 out = inside.origin + hit_sphere(inside, ball) * inside.direction;
     normal = surface_normal(ball, out);
-    return (Ray){off_surface(ball, out, normal),
+    return (Ray){offset_from_surface(ball, out, normal),
                  refracted_direction(inside.direction, -normal, 1 / glass)};
 }
 

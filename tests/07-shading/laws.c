@@ -96,9 +96,10 @@ LAW(mirror_direction)
     }
 }
 
-// ---- off_surface --------------------------------------------------------------------------------
+// ---- offset_from_surface
+// --------------------------------------------------------------------------------
 
-LAW(off_surface)
+LAW(offset_from_surface)
 {
     vec3 moved = yours - point;
     double size = sphere.radius + largest_of(sphere.center);

@@ -263,23 +263,24 @@ RIGHT(gamma_encode, "clamped first")
     return color;
 }
 
-// ---- off_surface --------------------------------------------------------------------------------
+// ---- offset_from_surface
+// --------------------------------------------------------------------------------
 
 static double size_of(Sphere s)
 {
     return s.radius + fmax(fabs(s.center[0]), fmax(fabs(s.center[1]), fabs(s.center[2])));
 }
 
-RIGHT_LINE(off_surface, "1e-9 of the size", return point + 1e-9 * size_of(sphere) * normal)
-RIGHT_LINE(off_surface, "as little as the contract allows",
+RIGHT_LINE(offset_from_surface, "1e-9 of the size", return point + 1e-9 * size_of(sphere) * normal)
+RIGHT_LINE(offset_from_surface, "as little as the contract allows",
            return point + 0x1p-32 * size_of(sphere) * normal)
-RIGHT_LINE(off_surface, "as far as the contract allows",
+RIGHT_LINE(offset_from_surface, "as far as the contract allows",
            return point + 0x1p-28 * size_of(sphere) * normal)
 // At most the square root of 3 times the size.
-RIGHT_LINE(off_surface, "the length of the centre instead of its largest coordinate",
+RIGHT_LINE(offset_from_surface, "the length of the centre instead of its largest coordinate",
            return point + 1e-9 * (sphere.radius + vec3_length(sphere.center)) * normal)
 
-RIGHT(off_surface, "coordinate by coordinate")
+RIGHT(offset_from_surface, "coordinate by coordinate")
 {
     double size = 0;
     for (int i = 0; i < 3; i++)
@@ -361,8 +362,8 @@ RIGHT(shade, "recursion over the lights")
     Sphere sphere = scene->spheres[hit.sphere];
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = facing(surface_normal(sphere, point), ray.direction);
-    Lit lit = {scene,  scene_surface(scene, hit.sphere),   point,
-               normal, off_surface(sphere, point, normal), -vec3_unit(ray.direction)};
+    Lit lit = {scene,  scene_surface(scene, hit.sphere),           point,
+               normal, offset_from_surface(sphere, point, normal), -vec3_unit(ray.direction)};
     return of_lights(&lit, 0);
 }
 
@@ -381,7 +382,8 @@ RIGHT(shade, "colour by colour, in long double")
             vec3 l = vec3_unit(ray_to_light(point, *light).direction);
             long double low = vec3_dot(normal, l);
             long double high = 2 * low * vec3_dot(normal, eye) - vec3_dot(l, eye);
-            if (low <= 0 || visibility(scene, off_surface(sphere, point, normal), *light) == 0)
+            if (low <= 0 ||
+                visibility(scene, offset_from_surface(sphere, point, normal), *light) == 0)
                 continue;
             sum += s->diffuse * low * s->color[c] * light->color[c];
             if (high > 0)
@@ -402,7 +404,7 @@ RIGHT(shade, "sums of their own, lights backward")
     Color diffuse = vec3_of(0, 0, 0), specular = diffuse;
     for (int i = scene->light_count; i-- > 0;) {
         const Light *light = &scene->lights[i];
-        if (visibility(scene, off_surface(*sphere, point, normal), *light) == 0)
+        if (visibility(scene, offset_from_surface(*sphere, point, normal), *light) == 0)
             continue;
         vec3 to_light = ray_to_light(point, *light).direction;
         diffuse += diffuse_term(s->color, s->diffuse, light->color, normal, to_light);

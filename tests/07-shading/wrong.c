@@ -162,11 +162,13 @@ TO_LIGHT("LI-place", "from + position, of a distant light",
 TO_LIGHT("LI-swapped", "origin and direction swapped",
          "the origin is a point, where the ray starts; the direction is a difference of points.",
          "light and shadow in odd places", way, from)
-TO_LIGHT("LI-ahead", "an origin 0.001 of the way ahead",
-         "the caller gives the point, and off_surface has already moved it as far as needed.",
-         "shadows that start a little beside their spheres", from + 0.001 * way, way)
+TO_LIGHT(
+    "LI-ahead", "an origin 0.001 of the way ahead",
+    "the caller gives the point, and offset_from_surface has already moved it as far as needed.",
+    "shadows that start a little beside their spheres", from + 0.001 * way, way)
 TO_LIGHT("LI-ahead-unit", "an origin 0.001 ahead",
-         "the caller gives the point, and off_surface has already moved it as far as needed. In a "
+         "the caller gives the point, and offset_from_surface has already moved it as far as "
+         "needed. In a "
          "tiny scene 0.001 is a long way.",
          "tiny scenes without shadows", from + 0.001 * vec3_unit(way), way)
 
@@ -865,7 +867,7 @@ CLAMPED("CL-black-below", "all black if one is below 0",
 
 // In formulas s is the size, e a step of 2^-30.
 #define OFF(id, formula, why, picture, answer)                                                     \
-    WRONG(off_surface, id, formula, why, picture)                                                  \
+    WRONG(offset_from_surface, id, formula, why, picture)                                          \
     {                                                                                              \
         const vec3 c = sphere.center;                                                              \
         const double r = sphere.radius;                                                            \
@@ -1215,7 +1217,7 @@ static Lit place_on(const Surface *s, const Scene *scene, Ray ray, Hit hit)
                  .shine = s->shine,
                  .point = point,
                  .normal = normal,
-                 .start = off_surface(sphere, point, normal),
+                 .start = offset_from_surface(sphere, point, normal),
                  .to_eye = -ray.direction};
 }
 
@@ -1327,12 +1329,12 @@ AT("S-turn", "the normal outward, even from inside",
    "from the eye.",
    "hollow spheres dark inside, lit by the lights outside",
    p.normal = surface_normal(p.sphere, p.point);
-   p.start = off_surface(p.sphere, p.point, p.normal))
+   p.start = offset_from_surface(p.sphere, p.point, p.normal))
 AT("W3-shade", "the normal on the side away from the eye",
    "it must point to the side of the eye: if the dot product of the normal and the ray's direction "
    "is positive, reverse it.",
    "dark spheres", p.normal = -p.normal;
-   p.start = off_surface(p.sphere, p.point, p.normal))
+   p.start = offset_from_surface(p.sphere, p.point, p.normal))
 AT("W-unit", "p - c as normal", "this is as long as the radius: divide by it.",
    "large spheres too bright", p.normal *= p.sphere.radius)
 AT("W2-shade", "p / |p| as normal", "the vector from the centre to the point is p - c.",
@@ -1354,22 +1356,23 @@ AT("S-from-eye", "visibility from the eye",
    "no shadows, or all dark when the eye is in one", p.start = ray.origin)
 AT("S-acne", "visibility from p itself",
    "rounding leaves p on either side of its surface, and from below the surface hides every light: "
-   "off_surface.",
+   "offset_from_surface.",
    "black speckles on all lit surfaces", p.start = p.point)
 AT("S-outside", "inside, the normal reversed for only one of the two",
-   "the terms and off_surface both need the normal on the eye's side; if not, the surface hides "
+   "the terms and offset_from_surface both need the normal on the eye's side; if not, the surface "
+   "hides "
    "its own light.",
    "hollow spheres dark inside",
-   p.start = off_surface(p.sphere, p.point, surface_normal(p.sphere, p.point)))
+   p.start = offset_from_surface(p.sphere, p.point, surface_normal(p.sphere, p.point)))
 AT("S-back", "visibility from o + (1 - 1e-9) t v",
    "this step depends on the distance of the eye. The precision of the numbers depends on the "
-   "sphere: off_surface.",
+   "sphere: offset_from_surface.",
    "speckles on objects close to the eye; lost shadows far away",
    p.start = ray.origin + hit.t * (1 - 1e-9) * ray.direction)
 
 #define START_ROW(number, digits)                                                                  \
     AT("S-" #number, "visibility from p + " digits " n",                                           \
-       "this is too far in a small scene and nothing in a huge one: off_surface.",                 \
+       "this is too far in a small scene and nothing in a huge one: offset_from_surface.",         \
        "right in scenes of one size, speckles or lost shadows in others",                          \
        p.start = p.point + number * p.normal)
 
@@ -1664,26 +1667,26 @@ MIRROR(AIMS, "T-centre", "the mirrored ray from the centre", "it starts at the p
        "every ball shows its own inside", look->mirrored.origin = look->p.sphere.center)
 MIRROR(AIMS, "T-acne", "the mirrored ray from the surface itself",
        "rounding leaves the point on either side of the surface, and from below the ray hits the "
-       "surface that it starts from: off_surface.",
+       "surface that it starts from: offset_from_surface.",
        "speckles in mirrors", look->mirrored.origin = look->p.point)
 MIRROR(AIMS, "T-below", "the mirrored ray from below the surface",
-       "off_surface moves to the side of the normal: give it the normal on the eye's side.",
+       "offset_from_surface moves to the side of the normal: give it the normal on the eye's side.",
        "every ball shows its own inside",
-       look->mirrored.origin = off_surface(look->p.sphere, look->p.point, -look->p.normal))
+       look->mirrored.origin = offset_from_surface(look->p.sphere, look->p.point, -look->p.normal))
 MIRROR(AIMS, "T-outside", "the mirrored ray from outside, even from inside a sphere",
-       "from inside it must stay inside: give off_surface the normal on the eye's side.",
+       "from inside it must stay inside: give offset_from_surface the normal on the eye's side.",
        "hollow mirrors show the scene outside",
-       look->mirrored.origin = off_surface(look->p.sphere, look->p.point,
-                                           surface_normal(look->p.sphere, look->p.point)))
+       look->mirrored.origin = offset_from_surface(look->p.sphere, look->p.point,
+                                                   surface_normal(look->p.sphere, look->p.point)))
 MIRROR(AIMS, "T-along", "the mirrored ray from o + (1 - 1e-9) t v",
        "this step depends on the distance of the eye. The precision of the numbers depends on the "
-       "sphere: off_surface.",
+       "sphere: offset_from_surface.",
        "speckles in mirrors that are close to the eye or far from the origin",
        look->mirrored.origin = look->ray.origin + look->hit.t * (1 - 1e-9) * look->ray.direction)
 
 #define MIRROR_ROW(number, digits)                                                                 \
     MIRROR(AIMS, "T-" #number, "the mirrored ray from p + " digits " n",                           \
-           "this is too far in a small scene and nothing in a huge one: off_surface.",             \
+           "this is too far in a small scene and nothing in a huge one: offset_from_surface.",     \
            "right in scenes of one size, speckles in others",                                      \
            look->mirrored.origin = look->p.point + number * look->p.normal)
 
@@ -1749,7 +1752,7 @@ MIRROR(AIMS, "T-highlight", "shade without highlights",
 MIRROR(AIMS, "T-away", "shade with the normal turned away from the eye",
        "the lit side is the one that the eye sees, and the normal points to that side.",
        "dark spheres with mirror images", Lit p = look->p;
-       p.normal = -p.normal; p.start = off_surface(p.sphere, p.point, p.normal);
+       p.normal = -p.normal; p.start = offset_from_surface(p.sphere, p.point, p.normal);
        look->own = all_of(p))
 
 // The usual colour for another depth.

@@ -144,7 +144,7 @@ static void leave_surface(Path *path, Sphere sphere)
     vec3 point = path->ray.origin + path->hit.t * path->ray.direction;
     vec3 normal = surface_normal(sphere, point);
     path->normal = vec3_dot(normal, path->ray.direction) > 0 ? -normal : normal;
-    // Farther off the surface than off_surface: Embree's floats need it.
+    // Farther off the surface than offset_from_surface: Embree's floats need it.
     path->start = point + 1e-4 * sphere.radius * path->normal;
 }
 

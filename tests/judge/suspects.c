@@ -60,8 +60,8 @@ static bool length_is_free(int exercise)
     return strcmp(exercises[exercise].name, "pixel_ray") == 0;
 }
 
-// As long as the reference's, if the contract of off_surface allows its length. The step is a
-// billionth of the numbers, as large as the difference between two right ways to compute anything
+// As long as the reference's, if the contract of offset_from_surface allows its length. The step is
+// a billionth of the numbers, as large as the difference between two right ways to compute anything
 // else.
 static double size_of_sphere(const Numbers *arguments)
 {

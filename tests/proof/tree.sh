@@ -68,7 +68,7 @@ three=chapters/06-ray-casting/three-spheres.nff
 check 'a program that is run is refused' refused build/exercises/06-ray-casting -o "$scratch/x.png" $three
 check 'and names every missing answer' grep -q 'not answered yet: quadratic_roots' "$scratch/log"
 check 'so is light' refused build/exercises/07-shading -o "$scratch/x.png" $three
-check 'with its names' grep -q 'not answered yet: off_surface' "$scratch/log"
+check 'with its names' grep -q 'not answered yet: offset_from_surface' "$scratch/log"
 check 'the older picture is left as it was' same_picture \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 

@@ -65,7 +65,7 @@ static void view_free(View *view)
 static double light_here(const View *view, int i, vec3 normal)
 {
     const Scene *scene = &view->drawing->scene;
-    vec3 start = off_surface(scene->spheres[view->hits[i].sphere], view->points[i], normal);
+    vec3 start = offset_from_surface(scene->spheres[view->hits[i].sphere], view->points[i], normal);
     return visibility(scene, start, scene->lights[0]);
 }
 
@@ -255,7 +255,7 @@ static Ray unlucky_ray(Sphere sphere, Light light)
 static void true_numbers(Plot *plot, Sphere sphere, Light light, vec3 point)
 {
     vec3 normal = surface_normal(sphere, point);
-    vec3 start = off_surface(sphere, point, normal);
+    vec3 start = offset_from_surface(sphere, point, normal);
     Roots roots = sphere_roots(ray_to_light(start, light), sphere);
     plot_undrawn(plot);
     plot_vector(plot, "offset", point, start - point);
@@ -412,7 +412,7 @@ static void self_hit_data(Plot *plot, void *given)
     plot_include(plot, "common/figure/pictures.gp");
     // Right answers round in different ways, and each has specks of its own.
     picture_data(plot, "specks", at_the_point, 1, 255);
-    picture_data(plot, "smooth", off_surface, 3, ROUNDING);
+    picture_data(plot, "smooth", offset_from_surface, 3, ROUNDING);
 }
 
 // ---- in a plane -------------------------------------------------------------------------------

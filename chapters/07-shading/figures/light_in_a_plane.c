@@ -266,7 +266,7 @@ static Seen seen_along(const Scene *scene, Ray ray)
     Sphere sphere = balls[hit.sphere >= 0 && hit.sphere < BALLS ? hit.sphere : 0];
     vec3 point = ray.origin + (hit.t < NO_HIT ? hit.t : 1) * ray.direction;
     vec3 n = surface_normal(sphere, point);
-    return (Seen){point, n, off_surface(sphere, point, n)};
+    return (Seen){point, n, offset_from_surface(sphere, point, n)};
 }
 
 void shadow_and_mirror(Plot *plot, const Plane *plane)

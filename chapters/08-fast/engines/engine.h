@@ -140,7 +140,7 @@ bool extreme_camera(Camera camera, Resolution screen);
 // Whether 'plain' must cast a picture.
 bool extreme_scene(const Work *work);
 
-// The same for light: then rays start anywhere, near a sphere (off_surface), so the largest
+// The same for light: then rays start anywhere, near a sphere (offset_from_surface), so the largest
 // distance is compared with the radius of the smallest sphere.
 bool extreme_light(const Work *work);
 

@@ -46,7 +46,7 @@ static void leave(Paths *paths)
         normal = vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
         set_vector(&paths->point, i, point);
         set_vector(&paths->normal, i, normal);
-        set_vector(&paths->start, i, off_surface(sphere, point, normal));
+        set_vector(&paths->start, i, offset_from_surface(sphere, point, normal));
         set_vector(&paths->mirrored, i, mirror_direction(ray.direction, normal));
     }
 }

@@ -60,7 +60,7 @@ static bool hits(Paths *paths)
     return extreme == 0;
 }
 
-// solutions/07-shading.c: normal_at, off_surface, mirror_direction.
+// solutions/07-shading.c: normal_at, offset_from_surface, mirror_direction.
 static void leave(Paths *paths)
 {
     const int count = padded(paths->count);

@@ -120,7 +120,7 @@ bool extreme_light(const Work *work)
 {
     const Scene *scene = work->scene;
     // The smallest radius; how far spheres reach from the eye, and rays start from their spheres
-    // (off_surface).
+    // (offset_from_surface).
     double smallest = INFINITY, farthest = 0, off = 0;
     for (int i = 0; i < scene->sphere_count; i++) {
         const Sphere *sphere = &scene->spheres[i];

@@ -53,10 +53,10 @@ WRAP(vec3, surface_normal, Sphere sphere, vec3 point)
     return is_changed("surface_normal") ? vec3_unit(normal + vec3_of(0, 0.1, 0)) : normal;
 }
 
-WRAP(vec3, off_surface, Sphere sphere, vec3 point, vec3 normal)
+WRAP(vec3, offset_from_surface, Sphere sphere, vec3 point, vec3 normal)
 {
-    vec3 start = __real_off_surface(sphere, point, normal);
-    return is_changed("off_surface") ? point + 2 * (start - point) : start;
+    vec3 start = __real_offset_from_surface(sphere, point, normal);
+    return is_changed("offset_from_surface") ? point + 2 * (start - point) : start;
 }
 
 WRAP(vec3, mirror_direction, vec3 direction, vec3 normal)
@@ -81,7 +81,7 @@ WRAP(Color, shade, const Scene *world, Ray ray, Hit hit)
     const Surface *surface = scene_surface(world, hit.sphere);
     vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
     normal = vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
-    vec3 start = off_surface(sphere, point, normal);
+    vec3 start = offset_from_surface(sphere, point, normal);
     Color sum = ambient_term(surface->color, surface->diffuse, world->ambient);
     for (int i = 0; i < world->light_count; i++) {
         Color light = world->lights[i].color * visibility(world, start, world->lights[i]);
@@ -115,7 +115,8 @@ static Color trace(void *world, Pixel sample, Ray ray, int depth)
     double ks = scene_surface(spheres, hit.sphere)->specular;
     vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
     normal = vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
-    Ray mirrored = {off_surface(sphere, point, normal), mirror_direction(ray.direction, normal)};
+    Ray mirrored = {offset_from_surface(sphere, point, normal),
+                    mirror_direction(ray.direction, normal)};
     Color color = shade(spheres, ray, hit);
     return depth > 0 && ks > 0 ? color + ks * trace(world, sample, mirrored, depth - 1) : color;
 }
@@ -169,9 +170,15 @@ int main(void)
     static const struct {
         const char *name;
         bool whole;
-    } functions[] = {{"pixel_ray", true},   {"hit_sphere", true},       {"surface_normal", false},
-                     {"off_surface", true}, {"mirror_direction", true}, {"ray_to_light", false},
-                     {"shade", true},       {"shade's constant", true}, {"clamp_color", true}};
+    } functions[] = {{"pixel_ray", true},
+                     {"hit_sphere", true},
+                     {"surface_normal", false},
+                     {"offset_from_surface", true},
+                     {"mirror_direction", true},
+                     {"ray_to_light", false},
+                     {"shade", true},
+                     {"shade's constant", true},
+                     {"clamp_color", true}};
     compare_picture(NULL, true);
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         compare_picture(functions[i].name, functions[i].whole);

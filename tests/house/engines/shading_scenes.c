@@ -135,7 +135,7 @@ static Ray leaves_at(Pixel pixel)
         return (Ray){vec3_of(NAN, NAN, NAN), ray.direction};
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = surface_normal(spheres[hit.sphere], point);
-    return (Ray){off_surface(spheres[hit.sphere], point, normal),
+    return (Ray){offset_from_surface(spheres[hit.sphere], point, normal),
                  mirror_direction(ray.direction, normal)};
 }
 
