@@ -291,7 +291,7 @@ WASM_COMPILER := $(WASM)/compiler
 BOOK_COMPILER := $(BOOK)/compiler
 COMPRESSED := small.wasm.xz whole.wasm.xz pack.xz
 
-CUT := $(addprefix $(COMPILER)/,cut_compiler.mjs cut.js kept.js)
+CUT := $(addprefix $(COMPILER)/,cut.js)
 $(WASM_COMPILER)/whole.wasm: KEPT :=
 $(WASM_COMPILER)/small.wasm: KEPT := $(COMPILER)/kept.txt
 $(WASM_COMPILER)/small.wasm: $(COMPILER)/kept.txt

@@ -6,13 +6,12 @@
 //
 // The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
 // traps; then the whole compiler is fetched, and that run is made again with it.
-import xz from 'xz-decompress';
-import {PAGE, clear, isEmpty} from './clear_memory.js';
-import {Files, Exit, trapOf, wasi} from './wasi.js';
+import xz from "xz-decompress";
+import { Exit, Files, PAGE, clear, isEmpty, trapOf, wasi } from "./wasi.js";
 
-const SMALL = 'compiler/small.wasm.xz', WHOLE = 'compiler/whole.wasm.xz', PACK = 'compiler/pack.xz';
+const SMALL = "compiler/small.wasm.xz", WHOLE = "compiler/whole.wasm.xz", PACK = "compiler/pack.xz";
 // An answer that is compiled while nobody waits.
-const FIRST = '05-quadratic', WARMING = `#include "exercises/${FIRST}.h"
+const FIRST = "05-quadratic", WARMING = `#include "exercises/${FIRST}.h"
 #include <math.h>
 Roots quadratic_roots(Quadratic q)
 {
@@ -31,64 +30,73 @@ Roots quadratic_roots(Quadratic q)
  * constructors left, because making a fresh instance and running them takes as long as compiling an answer.
  */
 export class Program {
-  constructor(module) { this.module = module; }
+    constructor(module) { this.module = module; }
 
-  /** A fresh instance, and the memory that its constructors leave. */
-  begin() {
-    const calls = {};
-    for (const {module, name} of WebAssembly.Module.imports(this.module))
-      calls[name] = (...given) => this.calls[name](...given);
-    const {exports} = this.instance = new WebAssembly.Instance(this.module, {wasi_snapshot_preview1: calls});
-    this.stack = exports.stack.value;
-    // What _start does before it asks for its arguments is done first; the constructors need it.
-    const system = wasi({});
-    system.begin(this.instance);
-    const before = new Error('asked for the arguments');
-    this.calls = {...system.calls, args_sizes_get() { throw before; }};
-    try { exports._start(); } catch (error) { if (error !== before) throw error; }
-    exports.stack.value = this.stack;
-    this.calls = system.calls;
-    exports.constructors();
-    exports.stack.value = this.stack;
-    // The stack is below, then what no run changes; the heap is empty but for its last words.
-    const {buffer} = exports.memory;
-    this.size = buffer.byteLength;
-    this.changing = Math.floor(exports.data.value / PAGE);
-    this.saved = new Map();
-    for (let page = this.changing; page < this.size / PAGE; page++)
-      if (!isEmpty(buffer, page)) this.saved.set(page, new Uint8Array(buffer, page * PAGE, PAGE).slice());
-  }
-
-  /** The memory is again as begin() left it. */
-  restore() {
-    const {buffer} = this.instance.exports.memory;
-    clear(buffer, 0, this.stack / PAGE);
-    for (let page = this.changing; page < this.size / PAGE; page++) {
-      const bytes = this.saved.get(page);
-      if (bytes) new Uint8Array(buffer, page * PAGE, PAGE).set(bytes);
-      else clear(buffer, page, page + 1);
+    /** A fresh instance, and the memory that its constructors leave. */
+    begin() {
+        const calls = {};
+        for (const { name } of WebAssembly.Module.imports(this.module))
+            calls[name] = (...given) => this.calls[name](...given);
+        const { exports } = this.instance = new WebAssembly.Instance(this.module, { wasi_snapshot_preview1: calls });
+        this.stack = exports.stack.value;
+        // What _start does before it asks for its arguments is done first; the constructors need it.
+        const system = wasi({});
+        system.begin(this.instance);
+        const before = new Error("asked for the arguments");
+        this.calls = { ...system.calls, args_sizes_get() { throw before; } };
+        try { exports._start(); } catch (error) {
+            if (error !== before)
+                throw error;
+        }
+        exports.stack.value = this.stack;
+        this.calls = system.calls;
+        exports.constructors();
+        exports.stack.value = this.stack;
+        // The stack is below, then what no run changes; the heap is empty but for its last words.
+        const { buffer } = exports.memory;
+        this.size = buffer.byteLength;
+        this.changing = Math.floor(exports.data.value / PAGE);
+        this.saved = new Map();
+        for (let page = this.changing; page < this.size / PAGE; page++)
+            if (!isEmpty(buffer, page))
+                this.saved.set(page, new Uint8Array(buffer, page * PAGE, PAGE).slice());
     }
-  }
 
-  /** As run in wasi.js. */
-  run({args, files}) {
-    if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size) this.begin();
-    this.restore();
-    const {exports} = this.instance;
-    exports.stack.value = this.stack;
-    const system = wasi({args, files}), result = {files};
-    system.begin(this.instance);
-    this.calls = system.calls;
-    try {
-      exports._start();
-      result.status = 0;
-    } catch (error) {
-      if (error instanceof Exit) result.status = error.status;
-      else Object.assign(result, {trap: trapOf(error), error});
+    /** The memory is again as begin() left it. */
+    restore() {
+        const { buffer } = this.instance.exports.memory;
+        clear(buffer, 0, this.stack / PAGE);
+        for (let page = this.changing; page < this.size / PAGE; page++) {
+            const bytes = this.saved.get(page);
+            if (bytes)
+                new Uint8Array(buffer, page * PAGE, PAGE).set(bytes);
+            else
+                clear(buffer, page, page + 1);
+        }
     }
-    const text = stream => new TextDecoder().decode(stream.contents());
-    return {...result, stdout: text(system.stdout), stderr: text(system.stderr)};
-  }
+
+    /** As run in wasi.js. */
+    run({ args, files }) {
+        if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size)
+            this.begin();
+        this.restore();
+        const { exports } = this.instance;
+        exports.stack.value = this.stack;
+        const system = wasi({ args, files }), result = { files };
+        system.begin(this.instance);
+        this.calls = system.calls;
+        try {
+            exports._start();
+            result.status = 0;
+        } catch (error) {
+            if (error instanceof Exit)
+                result.status = error.status;
+            else
+                Object.assign(result, { trap: trapOf(error), error });
+        }
+        const text = (stream) => new TextDecoder().decode(stream.contents());
+        return { ...result, stdout: text(system.stdout), stderr: text(system.stderr) };
+    }
 }
 
 /**
@@ -97,13 +105,13 @@ export class Program {
  * @returns {Map<string, Uint8Array>}
  */
 export function unpack(bytes) {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true), files = new Map();
-  let at = 4 + length;
-  for (const [path, size] of Object.entries(JSON.parse(new TextDecoder().decode(bytes.subarray(4, at))))) {
-    files.set(path, bytes.subarray(at, at + size));
-    at += size;
-  }
-  return files;
+    const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true), files = new Map();
+    let at = 4 + length;
+    for (const [path, size] of Object.entries(JSON.parse(new TextDecoder().decode(bytes.subarray(4, at))))) {
+        files.set(path, bytes.subarray(at, at + size));
+        at += size;
+    }
+    return files;
 }
 
 /**
@@ -113,100 +121,103 @@ export function unpack(bytes) {
  *        onFetched: called when all of them are there
  * @returns {Promise<Compiler>} ready for the first answer
  */
-export async function load({fetchBytes, progress = () => {}, onFetched = () => {}}) {
-  const first = fetchBytes(SMALL);
-  first.catch(() => {}); // a failure is told when it is read
-  const sizes = await new Response(body(await fetchBytes('compiler/sizes.json'))).json();
-  const all = sizes[SMALL] + sizes[PACK];
-  let done = 0, startPack;
-  const count = size => {
-    progress(done += size, all);
-    if (done > 0.95 * sizes[SMALL]) startPack();
-  };
-  const counted = async (response, hear) => body(await response).pipeThrough(new TransformStream({
-    transform(part, to) { hear(part.length); to.enqueue(part); },
-  }));
-  const compiled = async (bytes) => WebAssembly.compileStreaming(
-    new Response(new xz.XzReadableStream(await bytes), {headers: {'content-type': 'application/wasm'}}));
-  // The compiler first, because there is most to do with it: that is done while the pack comes.
-  const compressed = new Promise(resolve => { startPack = resolve; })
-    .then(async () => new Response(await counted(fetchBytes(PACK), count)).arrayBuffer());
-  compressed.then(onFetched, () => {}); // a failure is told when the pack is unpacked
-  const small = new Program(await compiled(counted(first, count)));
-  small.begin();
-  const pack = unpack(new Uint8Array(await new Response(new xz.XzReadableStream(body(await compressed))).arrayBuffer()));
-  // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
-  xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
-  return new Compiler(pack, small, async () => new Program(await compiled(counted(fetchBytes(WHOLE), () => {}))));
+export async function load({ fetchBytes, progress = () => {}, onFetched = () => {} }) {
+    const first = fetchBytes(SMALL);
+    first.catch(() => {}); // a failure is told when it is read
+    const sizes = await new Response(body(await fetchBytes("compiler/sizes.json"))).json();
+    const all = sizes[SMALL] + sizes[PACK];
+    let done = 0, startPack;
+    const count = (size) => {
+        progress(done += size, all);
+        if (done > 0.95 * sizes[SMALL])
+            startPack();
+    };
+    const counted = async (response, hear) => body(await response).pipeThrough(new TransformStream({
+        transform(part, to) { hear(part.length); to.enqueue(part); },
+    }));
+    const compiled = async (bytes) => WebAssembly.compileStreaming(
+        new Response(new xz.XzReadableStream(await bytes), { headers: { "content-type": "application/wasm" } }));
+    // The compiler first, because there is most to do with it: that is done while the pack comes.
+    const compressed = new Promise((resolve) => { startPack = resolve; })
+        .then(async () => new Response(await counted(fetchBytes(PACK), count)).arrayBuffer());
+    compressed.then(onFetched, () => {}); // a failure is told when the pack is unpacked
+    const small = new Program(await compiled(counted(first, count)));
+    small.begin();
+    const pack = unpack(new Uint8Array(await new Response(new xz.XzReadableStream(body(await compressed))).arrayBuffer()));
+    // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
+    xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
+    return new Compiler(pack, small, async () => new Program(await compiled(counted(fetchBytes(WHOLE), () => {}))));
 }
 
-const body = answer => answer instanceof Response ? answer.body : new Response(answer).body;
+const body = (answer) => answer instanceof Response ? answer.body : new Response(answer).body;
 
 export class Compiler {
-  /** How often an answer needed the whole compiler, and how long the parts of the last compilation took. */
-  fallbacks = 0;
-  times = {};
+    /** How often an answer needed the whole compiler, and how long the parts of the last compilation took. */
+    fallbacks = 0;
+    times = {};
 
-  constructor(pack, small, loadWhole) {
-    this.pack = pack;
-    this.small = small;
-    this.loadWhole = loadWhole;
-    this.flags = JSON.parse(new TextDecoder().decode(pack.get('flags.json')));
-  }
+    constructor(pack, small, loadWhole) {
+        this.pack = pack;
+        this.small = small;
+        this.loadWhole = loadWhole;
+        this.flags = JSON.parse(new TextDecoder().decode(pack.get("flags.json")));
+    }
 
-  /** An engine makes code of a function when it is first called: a student should not wait for that. */
-  async warm() {
-    this.warmed ??= this.compile({stem: FIRST, files: {[`exercises/${FIRST}.c`]: WARMING}});
-    await this.warmed;
-  }
+    /** An engine makes code of a function when it is first called: a student should not wait for that. */
+    async warm() {
+        this.warmed ??= this.compile({ stem: FIRST, files: { [`exercises/${FIRST}.c`]: WARMING } });
+        await this.warmed;
+    }
 
-  /** The run of the small compiler, or of the whole one if that traps. */
-  async run(args, files) {
-    const again = new Map(files), result = this.small.run({args, files: new Files(files)});
-    if (result.trap === undefined) return result;
-    this.fallbacks++;
-    this.whole ??= this.loadWhole();
-    return (await this.whole).run({args, files: new Files(again)});
-  }
+    /** The run of the small compiler, or of the whole one if that traps. */
+    async run(args, files) {
+        const again = new Map(files), result = this.small.run({ args, files: new Files(files) });
+        if (result.trap === undefined)
+            return result;
+        this.fallbacks++;
+        this.whole ??= this.loadWhole();
+        return (await this.whole).run({ args, files: new Files(again) });
+    }
 
-  /**
+    /**
    * Compiles and links an answer.
    * @param {{stem: string, files: Object<string, string>}} given files: at least exercises/STEM.c
    * @returns {Promise<{module: WebAssembly.Module|null, object?: Uint8Array, status: number, stage: 'compile'|'link',
    *          messages: string}>} messages: what the compiler said, or the linker if that failed
    */
-  async compile({stem, files}) {
-    const source = `exercises/${stem}.c`;
-    const start = performance.now();
-    const compiled = await this.run(['llvm', 'clang', '-cc1', ...this.flags.compile, '-main-file-name', `${stem}.c`,
-      '-o', 'answer.o', '-x', 'c', source], new Map([...this.pack, ...Object.entries(files)]));
-    this.times = {compile: performance.now() - start};
-    if (compiled.status !== 0)
-      return {module: null, ...failed(compiled, 'compile')};
-    const object = compiled.files.get('answer.o'), linked = await this.link(stem, object);
-    this.times.link = performance.now() - start - this.times.compile;
-    return linked.module ? {...linked, object, stage: 'compile', messages: compiled.stderr} : {...linked, object};
-  }
+    async compile({ stem, files }) {
+        const source = `exercises/${stem}.c`;
+        const start = performance.now();
+        const compiled = await this.run(["llvm", "clang", "-cc1", ...this.flags.compile, "-main-file-name", `${stem}.c`,
+            "-o", "answer.o", "-x", "c", source], new Map([...this.pack, ...Object.entries(files)]));
+        this.times = { compile: performance.now() - start };
+        if (compiled.status !== 0)
+            return { module: null, ...failed(compiled, "compile") };
+        const object = compiled.files.get("answer.o"), linked = await this.link(stem, object);
+        this.times.link = performance.now() - start - this.times.compile;
+        return linked.module ? { ...linked, object, stage: "compile", messages: compiled.stderr } : { ...linked, object };
+    }
 
-  /** The linker's words for a chapter's answer; objects: it, and the answers that it calls. */
-  linkWords(stem, objects = ['answer.o']) {
-    const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter(name => name !== '');
-    return this.flags.link.flatMap(word => word === 'WRAPS' ? names.map(name => `--wrap=${name}`)
-      : word === 'answer.o' ? objects : [word.replace('STEM', stem)]);
-  }
+    /** The linker's words for a chapter's answer; objects: it, and the answers that it calls. */
+    linkWords(stem, objects = ["answer.o"]) {
+        const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter((name) => name !== "");
+        return this.flags.link.flatMap((word) => word === "WRAPS" ? names.map((name) => `--wrap=${name}`)
+      : word === "answer.o" ? objects : [word.replace("STEM", stem)]);
+    }
 
-  /**
+    /**
    * Links an object with what answers the judge's calls. Calls of an exercise, in the answer too, go through
    * chapters/book/instead/calls_traced.c.
    * @returns as compile
    */
-  async link(stem, object) {
-    const linked = await this.run(['llvm', 'wasm-ld', ...this.linkWords(stem)], new Map([...this.pack, ['answer.o', object]]));
-    if (linked.status !== 0) return {module: null, ...failed(linked, 'link')};
-    // Not by WebAssembly.compile: in WebKit that waits until all threads are done with making the compiler faster.
-    return {module: new WebAssembly.Module(linked.files.get('answer.wasm')), status: 0, stage: 'link', messages: linked.stderr};
-  }
+    async link(stem, object) {
+        const linked = await this.run(["llvm", "wasm-ld", ...this.linkWords(stem)], new Map([...this.pack, ["answer.o", object]]));
+        if (linked.status !== 0)
+            return { module: null, ...failed(linked, "link") };
+        // Not by WebAssembly.compile: in WebKit that waits until all threads are done with making the compiler faster.
+        return { module: new WebAssembly.Module(linked.files.get("answer.wasm")), status: 0, stage: "link", messages: linked.stderr };
+    }
 }
 
 /** Messages are those of a run that ended, else how the compiler itself ended. */
-const failed = ({status = 1, stderr, trap}, stage) => ({status, stage, messages: trap ? `${stderr}the compiler ended: ${trap}\n` : stderr});
+const failed = ({ status = 1, stderr, trap }, stage) => ({ status, stage, messages: trap ? `${stderr}the compiler ended: ${trap}\n` : stderr });

@@ -1,6 +1,5 @@
 // figure_worker.js - draws figures beside the page: a chapter's program, and gnuplot.
-import { loadFigures } from "./figure.js";
-import { lessonNumbers } from "./lesson_numbers.js";
+import { lessonNumbers, loadFigures } from "./figure.js";
 import { answerQuestions, fetched, once, program, tellProgress, texts } from "./worker_questions.js";
 import xz from "xz-decompress";
 

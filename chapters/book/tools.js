@@ -1,5 +1,5 @@
 // tools.js - the commands of the judge's plan that a page runs at once: compiling another chapter's answer, and linking
-// the programs that draw pictures with answers.
+// the programs that draw pictures with answers; and, in a handout, hiding the helpers of an answer.
 import { Files } from "./wasi.js";
 
 /** The small compiler lacks a function that this run needs. */
@@ -48,7 +48,8 @@ export function toolsOf(compiler, objects) {
             if (stem === undefined)
                 return undefined;
             const objects = words.filter((word) => word.endsWith("/answer.o"));
-            const result = run(["wasm-ld", ...compiler.linkWords(stem, objects)], new Map([...compiler.pack, ...objects.map((name) => [name, files.get(name)?.slice() ?? new Uint8Array()])]));
+            const result = run(["wasm-ld", ...compiler.linkWords(stem, objects)],
+                new Map([...compiler.pack, ...objects.map((name) => [name, files.get(name)?.slice() ?? new Uint8Array()])]));
             return { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("answer.wasm")) : undefined };
         },
         link(words, files) {
@@ -60,7 +61,8 @@ export function toolsOf(compiler, objects) {
             const before = linked.get(option(words, "-o"));
             if (before && before.given.length === given.length && before.given.every(([name, bytes], at) => name === given[at][0] && same(bytes, given[at][1])))
                 return before.result;
-            const result = run(["wasm-ld", "-o", "program.wasm", ...FLAGS, "lib/crt1-command.o", ...names, ...LIBRARIES], new Map([...compiler.pack, ...given.map(([name, bytes]) => [name, bytes.slice()])]));
+            const result = run(["wasm-ld", "-o", "program.wasm", ...FLAGS, "lib/crt1-command.o", ...names, ...LIBRARIES],
+                new Map([...compiler.pack, ...given.map(([name, bytes]) => [name, bytes.slice()])]));
             const made = { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("program.wasm")) : undefined };
             linked.set(option(words, "-o"), { given: given.map(([name, bytes]) => [name, bytes.slice()]), result: made });
             return made;
@@ -69,3 +71,63 @@ export function toolsOf(compiler, objects) {
 }
 
 const same = (a, b) => a === b || (a.length === b.length && a.every((byte, at) => byte === b[at]));
+
+// ---- hiding helpers -------------------------------------------------------------------------------
+
+// Hides all but the exercises in a compiled answer, because helpers of two chapters may have one name.
+// In the terminal objcopy --keep-global-symbols does it, which knows no WebAssembly objects.
+//
+// The symbols are in the section 'linking' of the object (WebAssembly/tool-conventions, Linking.md).
+const WEAK = 1, LOCAL = 2, UNDEFINED = 0x10, EXPLICIT_NAME = 0x40;
+const FUNCTION = 0, DATA = 1, SECTION = 3, SYMBOL_TABLE = 8;
+
+/**
+ * @param {Uint8Array} object
+ * @param {Set<string>} kept the names that stay global
+ * @returns {Uint8Array} a copy
+ */
+export function hideHelpers(object, kept) {
+    const bytes = object.slice(), text = new TextDecoder();
+    let at = 8;
+    const number = () => {
+        let value = 0, shift = 0, byte;
+        do {
+            byte = bytes[at++];
+            value += (byte & 0x7f) * 2 ** shift;
+            shift += 7;
+        } while (byte & 0x80);
+        return value;
+    };
+    const name = () => { const size = number(); return text.decode(bytes.subarray(at, at += size)); };
+    function symbol() {
+        const kind = bytes[at++], place = at, flags = number(), isDefined = !(flags & UNDEFINED);
+        if (kind === SECTION) { number(); return; }
+        let named;
+        if (kind === DATA) {
+            named = name();
+            if (isDefined) { number(); number(); number(); }
+        } else {
+            number();
+            if (isDefined || flags & EXPLICIT_NAME)
+                named = name();
+        }
+        // Both flags are in the first byte of their number.
+        if (isDefined && (kind === FUNCTION || kind === DATA) && !kept.has(named))
+            bytes[place] = bytes[place] & ~WEAK | LOCAL;
+    }
+    while (at < bytes.length) {
+        const id = bytes[at++], size = number(), end = at + size;
+        if (id === 0 && name() === "linking") {
+            number(); // the version
+            while (at < end) {
+                const kind = bytes[at++], length = number(), after = at + length;
+                if (kind === SYMBOL_TABLE)
+                    for (let count = number(); count > 0; count--)
+                        symbol();
+                at = after;
+            }
+        }
+        at = end;
+    }
+    return bytes;
+}

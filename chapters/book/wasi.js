@@ -5,7 +5,7 @@
 // nothing of a run is left but the files, which the caller gets back.
 
 const OK = 0, ACCESS = 2, BAD_FILE = 8, EXISTS = 20, INVALID = 28, IS_FOLDER = 31, NO_ENTRY = 44,
-  NOT_THERE = 52, NO_FOLDER = 54, NOT_EMPTY = 55, TOO_BIG = 22;
+    NOT_THERE = 52, NO_FOLDER = 54, NOT_EMPTY = 55, TOO_BIG = 22;
 const CHARACTERS = 2, FOLDER = 3, FILE = 4;
 const OPEN_CREATE = 1, OPEN_FOLDER = 2, OPEN_NEW = 4, OPEN_EMPTY = 8, APPEND = 1;
 const TOP = 3; // the descriptor of the folder of all files
@@ -14,69 +14,76 @@ const words = new TextEncoder(), text = new TextDecoder();
 
 /** How a program ended besides returning: by exit, or after too many steps. */
 export class Exit extends Error {
-  constructor(status) { super(`exit ${status}`); this.status = status; }
+    constructor(status) { super(`exit ${status}`); this.status = status; }
 }
 export class OutOfSteps extends Error {}
 
 /** A file in memory, which grows. */
 class MemoryFile {
-  constructor(bytes, number) { this.bytes = bytes; this.size = bytes.length; this.number = number; this.most = Infinity; }
-  contents() { return this.bytes.subarray(0, this.size); }
-  resize(size) {
-    if (size > this.bytes.length) {
-      const bytes = new Uint8Array(Math.max(size, 2 * this.bytes.length, 256));
-      bytes.set(this.contents());
-      this.bytes = bytes;
-    } else if (size < this.size && this.isShared) {
-      this.bytes = this.bytes.slice();
+    constructor(bytes, number) { this.bytes = bytes; this.size = bytes.length; this.number = number; this.most = Infinity; }
+    contents() { return this.bytes.subarray(0, this.size); }
+    resize(size) {
+        if (size > this.bytes.length) {
+            const bytes = new Uint8Array(Math.max(size, 2 * this.bytes.length, 256));
+            bytes.set(this.contents());
+            this.bytes = bytes;
+        } else if (size < this.size && this.isShared) {
+            this.bytes = this.bytes.slice();
+        }
+        if (size < this.size)
+            this.bytes.fill(0, size, this.size);
+        this.isShared = false;
+        this.size = size;
     }
-    if (size < this.size) this.bytes.fill(0, size, this.size);
-    this.isShared = false;
-    this.size = size;
-  }
-  write(bytes, at) {
-    if (at + bytes.length > this.most) return false;
-    if (this.isShared) { this.bytes = this.bytes.slice(); this.isShared = false; }
-    if (at + bytes.length > this.size) this.resize(at + bytes.length);
-    this.bytes.set(bytes, at);
-    return true;
-  }
+    write(bytes, at) {
+        if (at + bytes.length > this.most)
+            return false;
+        if (this.isShared) { this.bytes = this.bytes.slice(); this.isShared = false; }
+        if (at + bytes.length > this.size)
+            this.resize(at + bytes.length);
+        this.bytes.set(bytes, at);
+        return true;
+    }
 }
 
 /** 'a/./b/../c' and '/a/c' are 'a/c'; the top is ''. */
 export function plainPath(path) {
-  const parts = [];
-  for (const part of path.split('/'))
-    if (part === '..') parts.pop();
-    else if (part !== '' && part !== '.') parts.push(part);
-  return parts.join('/');
+    const parts = [];
+    for (const part of path.split("/"))
+        if (part === "..")
+            parts.pop();
+        else if (part !== "" && part !== ".")
+            parts.push(part);
+    return parts.join("/");
 }
 
 /** The files of a run: paths from the top, without a slash in front. */
 export class Files {
-  /** @param {Map<string, Uint8Array|string>|Object<string, Uint8Array|string>} [given] */
-  constructor(given = new Map()) {
-    this.files = new Map();
-    this.folders = new Map([['', 1]]);
-    this.next = 2;
-    for (const [path, contents] of given instanceof Map ? given : Object.entries(given)) this.put(path, contents);
-  }
-  put(path, contents) {
-    path = plainPath(path);
-    const file = new MemoryFile(typeof contents === 'string' ? words.encode(contents) : contents, this.next++);
-    file.isShared = true; // the caller's bytes stay as they are
-    this.addFolder(path.split('/').slice(0, -1).join('/'));
-    this.files.set(path, file);
-    return file;
-  }
-  addFolder(path) {
-    for (; !this.folders.has(path); path = path.split('/').slice(0, -1).join('/')) this.folders.set(path, this.next++);
-  }
-  get(path) { return this.files.get(plainPath(path))?.contents(); }
-  text(path) { const bytes = this.get(path); return bytes && text.decode(bytes); }
-  remove(path) { return this.files.delete(plainPath(path)); }
-  /** @returns {Map<string, Uint8Array>} all of them */
-  all() { return new Map([...this.files].map(([path, file]) => [path, file.contents()])); }
+    /** @param {Map<string, Uint8Array|string>|Object<string, Uint8Array|string>} [given] */
+    constructor(given = new Map()) {
+        this.files = new Map();
+        this.folders = new Map([["", 1]]);
+        this.next = 2;
+        for (const [path, contents] of given instanceof Map ? given : Object.entries(given))
+            this.put(path, contents);
+    }
+    put(path, contents) {
+        path = plainPath(path);
+        const file = new MemoryFile(typeof contents === "string" ? words.encode(contents) : contents, this.next++);
+        file.isShared = true; // the caller's bytes stay as they are
+        this.addFolder(path.split("/").slice(0, -1).join("/"));
+        this.files.set(path, file);
+        return file;
+    }
+    addFolder(path) {
+        for (; !this.folders.has(path); path = path.split("/").slice(0, -1).join("/"))
+            this.folders.set(path, this.next++);
+    }
+    get(path) { return this.files.get(plainPath(path))?.contents(); }
+    text(path) { const bytes = this.get(path); return bytes && text.decode(bytes); }
+    remove(path) { return this.files.delete(plainPath(path)); }
+    /** @returns {Map<string, Uint8Array>} all of them */
+    all() { return new Map([...this.files].map(([path, file]) => [path, file.contents()])); }
 }
 
 /**
@@ -84,222 +91,255 @@ export class Files {
  * @param {{args?: string[], files?: Files, env?: Object<string, string>, stdin?: Uint8Array|string,
  *          stdout?: MemoryFile, stderr?: MemoryFile}} given
  */
-export function wasi({args = ['program'], files = new Files(), env = {}, stdin = '', stdout, stderr}) {
-  const streams = [new MemoryFile(typeof stdin === 'string' ? words.encode(stdin) : stdin, 0),
-    stdout ?? new MemoryFile(new Uint8Array(0), 0), stderr ?? new MemoryFile(new Uint8Array(0), 0)];
-  const open = [...streams.map((file, i) => ({file, at: 0, flags: i > 0 ? APPEND : 0, is: CHARACTERS})), {folder: '', is: FOLDER}];
-  const strings = list => list.map(s => words.encode(s + '\0'));
-  const given = strings(args), environment = strings(Object.entries(env).map(([k, v]) => `${k}=${v}`));
-  let memory;
-  const view = () => new DataView(memory.buffer), bytes = (at, size) => new Uint8Array(memory.buffer, at, size);
+export function wasi({ args = ["program"], files = new Files(), env = {}, stdin = "", stdout, stderr }) {
+    const streams = [new MemoryFile(typeof stdin === "string" ? words.encode(stdin) : stdin, 0),
+        stdout ?? new MemoryFile(new Uint8Array(0), 0), stderr ?? new MemoryFile(new Uint8Array(0), 0)];
+    const open = [...streams.map((file, i) => ({ file, at: 0, flags: i > 0 ? APPEND : 0, is: CHARACTERS })), { folder: "", is: FOLDER }];
+    const strings = (list) => list.map((s) => words.encode(s + "\0"));
+    const given = strings(args), environment = strings(Object.entries(env).map(([k, v]) => `${k}=${v}`));
+    let memory;
+    const view = () => new DataView(memory.buffer), bytes = (at, size) => new Uint8Array(memory.buffer, at, size);
 
-  const sizes = list => (count, size) => {
-    view().setUint32(count, list.length, true);
-    view().setUint32(size, list.reduce((sum, s) => sum + s.length, 0), true);
-    return OK;
-  };
-  const strings_get = list => (pointers, at) => {
-    for (const s of list) {
-      view().setUint32(pointers, at, true);
-      bytes(at, s.length).set(s);
-      pointers += 4;
-      at += s.length;
+    const sizes = (list) => (count, size) => {
+        view().setUint32(count, list.length, true);
+        view().setUint32(size, list.reduce((sum, s) => sum + s.length, 0), true);
+        return OK;
+    };
+    const strings_get = (list) => (pointers, at) => {
+        for (const s of list) {
+            view().setUint32(pointers, at, true);
+            bytes(at, s.length).set(s);
+            pointers += 4;
+            at += s.length;
+        }
+        return OK;
+    };
+    const path_of = (folder, at, size) =>
+        plainPath(`${open[folder]?.folder ?? ""}/${text.decode(bytes(at, size).slice())}`);
+    const buffers = (at, count) => Array.from({ length: count }, (_, i) =>
+        bytes(view().getUint32(at + 8 * i, true), view().getUint32(at + 8 * i + 4, true)));
+    const file_of = (number) => open[number]?.file;
+    const size_put = (at, size) => { view().setUint32(at, size, true); return OK; };
+
+    function read(file, at, list, count) {
+        let moved = 0;
+        for (const buffer of buffers(list, count)) {
+            const part = file.contents().subarray(at + moved, at + moved + buffer.length);
+            buffer.set(part);
+            moved += part.length;
+        }
+        return moved;
     }
-    return OK;
-  };
-  const path_of = (folder, at, size) =>
-    plainPath(`${open[folder]?.folder ?? ''}/${text.decode(bytes(at, size).slice())}`);
-  const buffers = (at, count) => Array.from({length: count}, (_, i) =>
-    bytes(view().getUint32(at + 8 * i, true), view().getUint32(at + 8 * i + 4, true)));
-  const file_of = number => open[number]?.file;
-  const size_put = (at, size) => { view().setUint32(at, size, true); return OK; };
-
-  function read(file, at, list, count) {
-    let moved = 0;
-    for (const buffer of buffers(list, count)) {
-      const part = file.contents().subarray(at + moved, at + moved + buffer.length);
-      buffer.set(part);
-      moved += part.length;
+    function write(file, at, list, count) {
+        let moved = 0;
+        for (const buffer of buffers(list, count)) {
+            if (!file.write(buffer, at + moved))
+                return -1;
+            moved += buffer.length;
+        }
+        return moved;
     }
-    return moved;
-  }
-  function write(file, at, list, count) {
-    let moved = 0;
-    for (const buffer of buffers(list, count)) {
-      if (!file.write(buffer, at + moved)) return -1;
-      moved += buffer.length;
+    function stat(at, kind, number, size) {
+        bytes(at, 64).fill(0);
+        view().setBigUint64(at, 1n, true);
+        view().setBigUint64(at + 8, BigInt(number), true); // each file its own, or clang takes all for one
+        view().setUint8(at + 16, kind);
+        view().setBigUint64(at + 24, 1n, true);
+        view().setBigUint64(at + 32, BigInt(size), true);
+        return OK;
     }
-    return moved;
-  }
-  function stat(at, kind, number, size) {
-    bytes(at, 64).fill(0);
-    view().setBigUint64(at, 1n, true);
-    view().setBigUint64(at + 8, BigInt(number), true); // each file its own, or clang takes all for one
-    view().setUint8(at + 16, kind);
-    view().setBigUint64(at + 24, 1n, true);
-    view().setBigUint64(at + 32, BigInt(size), true);
-    return OK;
-  }
 
-  const calls = {
-    args_sizes_get: sizes(given), args_get: strings_get(given),
-    environ_sizes_get: sizes(environment), environ_get: strings_get(environment),
-    proc_exit(status) { throw new Exit(status); },
-    sched_yield: () => OK,
-    random_get(at, size) { // the same in each run
-      for (let i = 0, x = 2015; i < size; i++) bytes(at + i, 1)[0] = (x = (x * 69069 + 1) >>> 0) >>> 24;
-      return OK;
-    },
-    clock_res_get(_, at) { view().setBigUint64(at, 1000000n, true); return OK; },
-    clock_time_get(_, __, at) { view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true); return OK; },
-    poll_oneoff: (_, __, ___, at) => size_put(at, 0),
+    const calls = {
+        args_sizes_get: sizes(given), args_get: strings_get(given),
+        environ_sizes_get: sizes(environment), environ_get: strings_get(environment),
+        proc_exit(status) { throw new Exit(status); },
+        sched_yield: () => OK,
+        random_get(at, size) { // the same in each run
+            for (let i = 0, x = 2015; i < size; i++)
+                bytes(at + i, 1)[0] = (x = (x * 69069 + 1) >>> 0) >>> 24;
+            return OK;
+        },
+        clock_res_get(_, at) { view().setBigUint64(at, 1000000n, true); return OK; },
+        clock_time_get(_, __, at) { view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true); return OK; },
+        poll_oneoff: (_, __, ___, at) => size_put(at, 0),
 
-    fd_prestat_get(fd, at) {
-      if (fd !== TOP) return BAD_FILE;
-      view().setUint32(at, 0, true);
-      return size_put(at + 4, 1);
-    },
-    fd_prestat_dir_name(fd, at) { bytes(at, 1)[0] = '/'.charCodeAt(0); return fd === TOP ? OK : BAD_FILE; },
-    fd_fdstat_get(fd, at) {
-      if (!open[fd]) return BAD_FILE;
-      bytes(at, 24).fill(0);
-      view().setUint8(at, open[fd].is);
-      view().setUint16(at + 2, open[fd].flags ?? 0, true);
-      view().setBigUint64(at + 8, ~0n, true);
-      view().setBigUint64(at + 16, ~0n, true);
-      return OK;
-    },
-    fd_fdstat_set_flags(fd, flags) { if (!open[fd]) return BAD_FILE; open[fd].flags = flags; return OK; },
-    fd_close(fd) { if (!open[fd]) return BAD_FILE; open[fd] = undefined; return OK; },
-    fd_renumber(from, to) { open[to] = open[from]; open[from] = undefined; return OK; },
-    fd_filestat_get(fd, at) {
-      const it = open[fd];
-      if (!it) return BAD_FILE;
-      return it.file ? stat(at, it.is, it.file.number, it.file.size) : stat(at, FOLDER, files.folders.get(it.folder), 0);
-    },
-    fd_filestat_set_size(fd, size) { if (!file_of(fd)) return BAD_FILE; file_of(fd).resize(Number(size)); return OK; },
-    fd_filestat_set_times: () => OK, fd_sync: () => OK, fd_datasync: () => OK, fd_advise: () => OK,
-    fd_read(fd, list, count, at) {
-      const it = open[fd];
-      if (!it?.file) return it ? IS_FOLDER : BAD_FILE;
-      const moved = read(it.file, it.at, list, count);
-      it.at += moved;
-      return size_put(at, moved);
-    },
-    fd_pread(fd, list, count, from, at) {
-      return file_of(fd) ? size_put(at, read(file_of(fd), Number(from), list, count)) : BAD_FILE;
-    },
-    fd_write(fd, list, count, at) {
-      const it = open[fd];
-      if (!it?.file) return BAD_FILE;
-      if (it.flags & APPEND) it.at = it.file.size;
-      const moved = write(it.file, it.at, list, count);
-      if (moved < 0) return TOO_BIG;
-      it.at += moved;
-      return size_put(at, moved);
-    },
-    fd_pwrite(fd, list, count, to, at) {
-      const moved = file_of(fd) ? write(file_of(fd), Number(to), list, count) : -1;
-      return moved < 0 ? BAD_FILE : size_put(at, moved);
-    },
-    fd_seek(fd, by, whence, at) {
-      const it = open[fd];
-      if (!it?.file) return BAD_FILE;
-      if (it.is === CHARACTERS) return 70; // ESPIPE
-      it.at = Number(by) + [0, it.at, it.file.size][whence];
-      view().setBigUint64(at, BigInt(it.at), true);
-      return OK;
-    },
-    fd_tell(fd, at) { view().setBigUint64(at, BigInt(open[fd].at), true); return OK; },
-    fd_readdir(fd, at, size, cookie, used) {
-      const folder = open[fd]?.folder;
-      if (folder === undefined) return BAD_FILE;
-      const inside = folder === '' ? '' : folder + '/', names = [];
-      for (const [kind, paths] of [[FOLDER, files.folders], [FILE, files.files]])
-        for (const path of paths.keys())
-          if (path !== '' && path.startsWith(inside) && !path.slice(inside.length).includes('/') && path !== folder)
-            names.push([kind, path.slice(inside.length)]);
-      let filled = 0;
-      for (let i = Number(cookie); i < names.length && filled < size; i++) {
-        const name = words.encode(names[i][1]), entry = new Uint8Array(24 + name.length), put = new DataView(entry.buffer);
-        put.setBigUint64(0, BigInt(i + 1), true);
-        put.setBigUint64(8, BigInt(i + 2), true);
-        put.setUint32(16, name.length, true);
-        put.setUint8(20, names[i][0]);
-        entry.set(name, 24);
-        const part = entry.subarray(0, size - filled);
-        bytes(at + filled, part.length).set(part);
-        filled += part.length;
-      }
-      return size_put(used, filled);
-    },
+        fd_prestat_get(fd, at) {
+            if (fd !== TOP)
+                return BAD_FILE;
+            view().setUint32(at, 0, true);
+            return size_put(at + 4, 1);
+        },
+        fd_prestat_dir_name(fd, at) { bytes(at, 1)[0] = "/".charCodeAt(0); return fd === TOP ? OK : BAD_FILE; },
+        fd_fdstat_get(fd, at) {
+            if (!open[fd])
+                return BAD_FILE;
+            bytes(at, 24).fill(0);
+            view().setUint8(at, open[fd].is);
+            view().setUint16(at + 2, open[fd].flags ?? 0, true);
+            view().setBigUint64(at + 8, ~0n, true);
+            view().setBigUint64(at + 16, ~0n, true);
+            return OK;
+        },
+        fd_fdstat_set_flags(fd, flags) {
+            if (!open[fd])
+                return BAD_FILE; open[fd].flags = flags; return OK;
+        },
+        fd_close(fd) {
+            if (!open[fd])
+                return BAD_FILE; open[fd] = undefined; return OK;
+        },
+        fd_renumber(from, to) { open[to] = open[from]; open[from] = undefined; return OK; },
+        fd_filestat_get(fd, at) {
+            const it = open[fd];
+            if (!it)
+                return BAD_FILE;
+            return it.file ? stat(at, it.is, it.file.number, it.file.size) : stat(at, FOLDER, files.folders.get(it.folder), 0);
+        },
+        fd_filestat_set_size(fd, size) {
+            if (!file_of(fd))
+                return BAD_FILE; file_of(fd).resize(Number(size)); return OK;
+        },
+        fd_filestat_set_times: () => OK, fd_sync: () => OK, fd_datasync: () => OK, fd_advise: () => OK,
+        fd_read(fd, list, count, at) {
+            const it = open[fd];
+            if (!it?.file)
+                return it ? IS_FOLDER : BAD_FILE;
+            const moved = read(it.file, it.at, list, count);
+            it.at += moved;
+            return size_put(at, moved);
+        },
+        fd_pread(fd, list, count, from, at) {
+            return file_of(fd) ? size_put(at, read(file_of(fd), Number(from), list, count)) : BAD_FILE;
+        },
+        fd_write(fd, list, count, at) {
+            const it = open[fd];
+            if (!it?.file)
+                return BAD_FILE;
+            if (it.flags & APPEND)
+                it.at = it.file.size;
+            const moved = write(it.file, it.at, list, count);
+            if (moved < 0)
+                return TOO_BIG;
+            it.at += moved;
+            return size_put(at, moved);
+        },
+        fd_pwrite(fd, list, count, to, at) {
+            const moved = file_of(fd) ? write(file_of(fd), Number(to), list, count) : -1;
+            return moved < 0 ? BAD_FILE : size_put(at, moved);
+        },
+        fd_seek(fd, by, whence, at) {
+            const it = open[fd];
+            if (!it?.file)
+                return BAD_FILE;
+            if (it.is === CHARACTERS)
+                return 70; // ESPIPE
+            it.at = Number(by) + [0, it.at, it.file.size][whence];
+            view().setBigUint64(at, BigInt(it.at), true);
+            return OK;
+        },
+        fd_tell(fd, at) { view().setBigUint64(at, BigInt(open[fd].at), true); return OK; },
+        fd_readdir(fd, at, size, cookie, used) {
+            const folder = open[fd]?.folder;
+            if (folder === undefined)
+                return BAD_FILE;
+            const inside = folder === "" ? "" : folder + "/", names = [];
+            for (const [kind, paths] of [[FOLDER, files.folders], [FILE, files.files]])
+                for (const path of paths.keys())
+                    if (path !== "" && path.startsWith(inside) && !path.slice(inside.length).includes("/") && path !== folder)
+                        names.push([kind, path.slice(inside.length)]);
+            let filled = 0;
+            for (let i = Number(cookie); i < names.length && filled < size; i++) {
+                const name = words.encode(names[i][1]), entry = new Uint8Array(24 + name.length), put = new DataView(entry.buffer);
+                put.setBigUint64(0, BigInt(i + 1), true);
+                put.setBigUint64(8, BigInt(i + 2), true);
+                put.setUint32(16, name.length, true);
+                put.setUint8(20, names[i][0]);
+                entry.set(name, 24);
+                const part = entry.subarray(0, size - filled);
+                bytes(at + filled, part.length).set(part);
+                filled += part.length;
+            }
+            return size_put(used, filled);
+        },
 
-    path_open(folder, _, at, size, how, rights, ___, flags, into) {
-      const path = path_of(folder, at, size);
-      if (files.folders.has(path)) {
-        if (how & (OPEN_CREATE | OPEN_EMPTY) && !(how & OPEN_FOLDER)) return IS_FOLDER;
-        open.push({folder: path, is: FOLDER});
-        return size_put(into, open.length - 1);
-      }
-      let file = files.files.get(path);
-      if (file && how & OPEN_FOLDER) return NO_FOLDER;
-      if (file && how & OPEN_CREATE && how & OPEN_NEW) return EXISTS;
-      if (!file && (!(how & OPEN_CREATE) || !files.folders.has(path.split('/').slice(0, -1).join('/')))) return NO_ENTRY;
-      file ??= files.put(path, new Uint8Array(0));
-      if (how & OPEN_EMPTY) file.resize(0);
-      open.push({file, at: 0, flags, is: FILE});
-      return size_put(into, open.length - 1);
-    },
-    path_filestat_get(folder, _, at, size, into) {
-      const path = path_of(folder, at, size), file = files.files.get(path);
-      return file ? stat(into, FILE, file.number, file.size)
+        path_open(folder, _, at, size, how, rights, ___, flags, into) {
+            const path = path_of(folder, at, size);
+            if (files.folders.has(path)) {
+                if (how & (OPEN_CREATE | OPEN_EMPTY) && !(how & OPEN_FOLDER))
+                    return IS_FOLDER;
+                open.push({ folder: path, is: FOLDER });
+                return size_put(into, open.length - 1);
+            }
+            let file = files.files.get(path);
+            if (file && how & OPEN_FOLDER)
+                return NO_FOLDER;
+            if (file && how & OPEN_CREATE && how & OPEN_NEW)
+                return EXISTS;
+            if (!file && (!(how & OPEN_CREATE) || !files.folders.has(path.split("/").slice(0, -1).join("/"))))
+                return NO_ENTRY;
+            file ??= files.put(path, new Uint8Array(0));
+            if (how & OPEN_EMPTY)
+                file.resize(0);
+            open.push({ file, at: 0, flags, is: FILE });
+            return size_put(into, open.length - 1);
+        },
+        path_filestat_get(folder, _, at, size, into) {
+            const path = path_of(folder, at, size), file = files.files.get(path);
+            return file ? stat(into, FILE, file.number, file.size)
         : files.folders.has(path) ? stat(into, FOLDER, files.folders.get(path), 0) : NO_ENTRY;
-    },
-    path_filestat_set_times: () => OK,
-    path_readlink: () => INVALID, path_link: () => ACCESS, path_symlink: () => ACCESS,
-    path_unlink_file(folder, at, size) { return files.remove(path_of(folder, at, size)) ? OK : NO_ENTRY; },
-    path_create_directory(folder, at, size) {
-      const path = path_of(folder, at, size);
-      if (files.folders.has(path) || files.files.has(path)) return EXISTS;
-      files.addFolder(path);
-      return OK;
-    },
-    path_remove_directory(folder, at, size) {
-      const path = path_of(folder, at, size);
-      if ([...files.files.keys(), ...files.folders.keys()].some(other => other.startsWith(path + '/'))) return NOT_EMPTY;
-      return files.folders.delete(path) ? OK : NO_ENTRY;
-    },
-    path_rename(folder, at, size, other, to, length) {
-      const from = path_of(folder, at, size), file = files.files.get(from);
-      if (!file) return NO_ENTRY;
-      files.files.delete(from);
-      files.files.set(path_of(other, to, length), file);
-      return OK;
-    },
-  };
-  return {
-    calls, files, stdout: streams[1], stderr: streams[2],
-    /** The calls that a module imports; those that no program here makes are an error number. */
-    imports(module) {
-      const imports = {};
-      for (const {module: from, name} of WebAssembly.Module.imports(module))
-        if (from === 'wasi_snapshot_preview1') imports[name] = calls[name] ?? (() => NOT_THERE);
-      return imports;
-    },
-    /** From now on the calls are about this instance's memory. */
-    begin(instance) { memory = instance.exports.memory; },
-  };
+        },
+        path_filestat_set_times: () => OK,
+        path_readlink: () => INVALID, path_link: () => ACCESS, path_symlink: () => ACCESS,
+        path_unlink_file(folder, at, size) { return files.remove(path_of(folder, at, size)) ? OK : NO_ENTRY; },
+        path_create_directory(folder, at, size) {
+            const path = path_of(folder, at, size);
+            if (files.folders.has(path) || files.files.has(path))
+                return EXISTS;
+            files.addFolder(path);
+            return OK;
+        },
+        path_remove_directory(folder, at, size) {
+            const path = path_of(folder, at, size);
+            if ([...files.files.keys(), ...files.folders.keys()].some((other) => other.startsWith(path + "/")))
+                return NOT_EMPTY;
+            return files.folders.delete(path) ? OK : NO_ENTRY;
+        },
+        path_rename(folder, at, size, other, to, length) {
+            const from = path_of(folder, at, size), file = files.files.get(from);
+            if (!file)
+                return NO_ENTRY;
+            files.files.delete(from);
+            files.files.set(path_of(other, to, length), file);
+            return OK;
+        },
+    };
+    return {
+        calls, files, stdout: streams[1], stderr: streams[2],
+        /** The calls that a module imports; those that no program here makes are an error number. */
+        imports(module) {
+            const imports = {};
+            for (const { module: from, name } of WebAssembly.Module.imports(module))
+                if (from === "wasi_snapshot_preview1")
+                    imports[name] = calls[name] ?? (() => NOT_THERE);
+            return imports;
+        },
+        /** From now on the calls are about this instance's memory. */
+        begin(instance) { memory = instance.exports.memory; },
+    };
 }
 
 /** A trap in words that do not depend on the browser: what the machine says it was. */
 export function trapOf(error) {
-  if (error instanceof OutOfSteps) return 'steps';
-  const said = String(error?.message);
-  if (error instanceof RangeError || /call stack|recursion/i.test(said)) return 'stack';
-  if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-  return /unreachable/i.test(said) ? 'unreachable'
-    : /divi(de|sion)|remainder/i.test(said) ? 'divide'
-      : /out of bounds|out-of-bounds/i.test(said) ? 'memory' : 'other';
+    if (error instanceof OutOfSteps)
+        return "steps";
+    const said = String(error?.message);
+    if (error instanceof RangeError || /call stack|recursion/i.test(said))
+        return "stack";
+    if (!(error instanceof WebAssembly.RuntimeError))
+        throw error;
+    return /unreachable/i.test(said) ? "unreachable"
+    : /divi(de|sion)|remainder/i.test(said) ? "divide"
+      : /out of bounds|out-of-bounds/i.test(said) ? "memory" : "other";
 }
 
 /**
@@ -310,21 +350,47 @@ export function trapOf(error) {
  *        steps: after this many a module that counts them (chapters/book/instead/steps.c) is ended
  * @returns {{status?: number, trap?: string, error?: Error, stdout: string, stderr: string, files: Files}}
  */
-export function run(module, {args, files, env, stdin, steps = Infinity, imports = {}} = {}) {
-  const system = wasi({args, files: files instanceof Files ? files : new Files(files), env, stdin});
-  const result = {files: system.files};
-  try {
-    const instance = new WebAssembly.Instance(module, {wasi_snapshot_preview1: system.imports(module),
-      book: {out_of_steps() { throw new OutOfSteps(); }}, ...imports});
-    system.begin(instance);
-    instance.exports.allow_steps?.(steps);
-    instance.exports._start();
-    result.status = 0;
-  } catch (error) {
-    if (error instanceof Exit) result.status = error.status;
-    else { result.trap = trapOf(error); result.error = error; }
-  }
-  result.stdout = text.decode(system.stdout.contents());
-  result.stderr = text.decode(system.stderr.contents());
-  return result;
+export function run(module, { args, files, env, stdin, steps = Infinity, imports = {} } = {}) {
+    const system = wasi({ args, files: files instanceof Files ? files : new Files(files), env, stdin });
+    const result = { files: system.files };
+    try {
+        const instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system.imports(module),
+            book: { out_of_steps() { throw new OutOfSteps(); } }, ...imports });
+        system.begin(instance);
+        instance.exports.allow_steps?.(steps);
+        instance.exports._start();
+        result.status = 0;
+    } catch (error) {
+        if (error instanceof Exit)
+            result.status = error.status;
+        else { result.trap = trapOf(error); result.error = error; }
+    }
+    result.stdout = text.decode(system.stdout.contents());
+    result.stderr = text.decode(system.stderr.contents());
+    return result;
+}
+
+// ---- the memory of a program that runs again and again ------------------------------------------
+
+// A browser takes a page of memory from the system when it is first written, also if that writes zeros, and never gives it
+// back. So pages that are still empty are only read.
+export const PAGE = 1 << 16;
+
+/**
+ * @param {ArrayBuffer} buffer
+ * @param {number} page
+ */
+export function isEmpty(buffer, page) {
+    const words = new Int32Array(buffer, page * PAGE, PAGE / 4);
+    for (let i = 0; i < words.length; i += 8)
+        if (words[i] | words[i + 1] | words[i + 2] | words[i + 3] | words[i + 4] | words[i + 5] | words[i + 6] | words[i + 7])
+            return false;
+    return true;
+}
+
+/** Zeros from one page to another. */
+export function clear(buffer, from, to) {
+    for (let page = from; page < to; page++)
+        if (!isEmpty(buffer, page))
+            new Uint8Array(buffer, page * PAGE, PAGE).fill(0);
 }

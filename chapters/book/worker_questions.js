@@ -1,5 +1,5 @@
-// worker_questions.js - what both Workers do: they fetch files of the site, and answer the page's questions. A question
-// is {id, do, ...}; the answer has the same id (page/helper.js).
+// worker_questions.js - questions of the page to a Worker, and its answers. A question is {id, do, ...}; the answer has the
+// same id. First what the Workers do, which also fetch files of the site; then the page's side.
 const ALIVE = 5000; // milliseconds between signs of life: without them the page ends a Worker
 const site = new URL(".", self.location.href);
 
@@ -46,7 +46,78 @@ export function answerQuestions(answers, whenIdle = async () => {}) {
         }
         if (--open === 0) {
             clearInterval(sign);
-            setTimeout(() => { if (open === 0) whenIdle().catch(() => {}); });
+            setTimeout(() => {
+                if (open === 0)
+                    whenIdle().catch(() => {});
+            });
         }
     });
+}
+
+// ---- in the page ----------------------------------------------------------------------------------
+
+const SILENT = 30_000; // milliseconds without a sign of life
+
+/** The Worker was ended. isBusy: it was computing for too long; otherwise it stopped by itself, and may work next time. */
+export class Stopped extends Error {
+    constructor(why, isBusy) {
+        super(why);
+        this.isBusy = isBusy;
+    }
+}
+
+/** A Worker that is started when it is first asked, and again if it stops, or computes for so long that it will probably never end. */
+export class Helper {
+    /** @param {() => Worker} start */
+    constructor(start) {
+        this.start = start;
+        this.asked = new Map();
+        this.count = 0;
+    }
+
+    /** @returns {Promise<object>} the answer; an Error if there is none, Stopped if the Worker was ended */
+    ask(what, onProgress = () => {}) {
+        if (!this.worker) {
+            this.worker = this.start();
+            this.worker.addEventListener("message", ({ data }) => this.hear(data));
+            this.worker.addEventListener("error", (event) => { event.preventDefault(); this.stop(event.message || "it stopped", false); });
+        }
+        return new Promise((resolve, reject) => {
+            const id = ++this.count;
+            this.asked.set(id, { resolve, reject, onProgress });
+            this.watch();
+            this.worker.postMessage({ ...what, id });
+        });
+    }
+
+    hear({ id, kind, ...rest }) {
+        const asked = this.asked.get(id);
+        this.watch();
+        if (kind === "progress") {
+            asked?.onProgress(rest);
+        } else if (asked) {
+            this.asked.delete(id);
+            this.watch();
+            if (kind === "failed")
+                asked.reject(new Error(rest.words));
+            else
+                asked.resolve(rest);
+        }
+    }
+
+    watch() {
+        clearTimeout(this.timer);
+        if (this.asked.size > 0)
+            this.timer = setTimeout(() => this.stop(`it computed for ${SILENT / 1000} seconds without an end`, true), SILENT);
+    }
+
+    /** Ends the worker. Those who wait are told; the next question starts another. */
+    stop(why, isBusy) {
+        clearTimeout(this.timer);
+        this.worker?.terminate();
+        this.worker = null;
+        const waiting = [...this.asked.values()];
+        this.asked.clear();
+        waiting.forEach(({ reject }) => reject(new Stopped(why, isBusy)));
+    }
 }

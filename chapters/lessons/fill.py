@@ -3,7 +3,7 @@
     fill.py NUMBERS SOURCE.md OUTPUT.txt README.md [marked]
 
 NUMBERS: the program of NN-stem.c. OUTPUT: of the chapter's program. README: the lesson as it is. With 'marked', each
-number is between private characters, so that a page finds it (chapters/book/site/numbers.mjs): U+E000 NAME U+E001
+number is between private characters, so that a page finds it (chapters/book/site/lesson.mjs): U+E000 NAME U+E001
 NUMBER U+E002. The source, chapters/lessons/NN-stem.md, has in double brackets
   [[name]]              a number or a text that NN-stem.c gives by that name
   [[output HEADING]]    on a line of its own: what the chapter's program prints below the heading that begins so,

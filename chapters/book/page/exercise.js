@@ -1,6 +1,6 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (judge_worker.js), so the page always answers.
-import { Helper, Stopped } from "./helper.js";
+import { Helper, Stopped } from "../worker_questions.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
 const FIGURE = 4000; // milliseconds, at most, that the editor and the compiler wait for the first figure
@@ -20,7 +20,8 @@ function marksOf(messages, stem) {
 /** A hint in one line for each paragraph: its lines are those of a terminal, and the panel is narrower. */
 function unwrapped(text) {
     const isWrapped = (line) => /^ {2}\S/.test(line ?? "");
-    return text.split("\n").reduce((lines, line) => isWrapped(line) && isWrapped(lines.at(-1)) ? [...lines.slice(0, -1), `${lines.at(-1)} ${line.trim()}`] : [...lines, line], []).join("\n");
+    return text.split("\n").reduce((lines, line) => isWrapped(line) && isWrapped(lines.at(-1))
+        ? [...lines.slice(0, -1), `${lines.at(-1)} ${line.trim()}`] : [...lines, line], []).join("\n");
 }
 
 export function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict }) {
@@ -159,7 +160,8 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
                 const is = (other) => other.script === script && other.theme === theme;
                 return before.find(is) ?? { script, theme, type: "image/svg+xml", caption: "Yours beside the expected one.", ...await drawFigure(script, theme) };
             }),
-            ...verdict.pictures.map(({ bytes, words }) => before.find((other) => other.words === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words, type: "image/png" })]);
+            ...verdict.pictures.map(({ bytes, words }) =>
+                before.find((other) => other.words === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words, type: "image/png" })]);
         if (verdict !== shown || theme !== themeNow())
             return;
         for (const old of drawn.filter((each) => !wanted.includes(each))) {
@@ -298,5 +300,8 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     }
     if (!navigator.connection?.saveData)
         begin().catch(() => {}); // the student is told when an answer is judged
-    document.addEventListener("theme", () => { if (shown) drawPictures().catch(() => {}); });
+    document.addEventListener("theme", () => {
+        if (shown)
+            drawPictures().catch(() => {});
+    });
 }

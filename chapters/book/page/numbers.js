@@ -1,6 +1,8 @@
 // numbers.js - the numbers in the text of a lesson follow a figure that is dragged or typed into. The chapter's own C
 // gives them (lesson_numbers.js). A reset of the figure brings the lecture's numbers back.
-import { typesetNumber } from "./typeset_number.js";
+
+/** A number of a lesson, which is TeX in a formula, as text in a formula. */
+export const typesetNumber = (tex) => tex.replaceAll("\\approx", "≈").replaceAll("-", "−");
 
 /** What the lecture's number is made of, to put it back. */
 const lecture = new WeakMap();

@@ -1,10 +1,10 @@
 // page.js - what every page of the site does: theme, progress over the chapters, figures on the full screen; and what
 // each kind of page needs besides that.
-import { openAnswers, writableStorage } from "./answers.js";
+import { answersIn, download, openAnswers, writableStorage } from "./answers.js";
 import { setUpExercise } from "./exercise.js";
 import { setUpFigures } from "./figures.js";
-import { Helper } from "./helper.js";
-import { takeNewVersion } from "./new_version.js";
+import { Helper } from "../worker_questions.js";
+import { keepForOffline, takeNewVersion } from "./offline.js";
 
 /* global COURSE */
 const root = document.documentElement;
@@ -41,7 +41,7 @@ function setUpDownload(button, course) {
     button?.addEventListener("click", async () => {
         showTrouble("");
         try {
-            const { download } = await import("./hand_in.js"), count = download(course.stems, answers);
+            const count = await download(course.stems, answers);
             downloaded = allTexts(course);
             $("state").textContent = count === 0 ? "There is no answer yet. Begin with a chapter." : `submission.zip has ${count} answer${count === 1 ? "" : "s"}.`;
         } catch (reason) {
@@ -149,7 +149,6 @@ async function judgeAll(stems, course, onNext) {
 }
 
 async function setUpStart(course) {
-    const { answersIn } = await import("./hand_in.js");
     const say = (words) => { $("state").textContent = words; };
     $("upload").addEventListener("change", async (event) => {
         showTrouble("");
@@ -193,7 +192,10 @@ addEventListener("storage", (event) => {
         showProgress(course);
 });
 // A page that comes back from the browser's memory shows what happened since.
-addEventListener("pageshow", (event) => { if (event.persisted) showProgress(course); });
+addEventListener("pageshow", (event) => {
+    if (event.persisted)
+        showProgress(course);
+});
 
 if (kind === "start")
     await setUpStart(course);
@@ -202,4 +204,4 @@ if (kind === "chapter") {
 }
 globalThis.takeEarlyClicks(); // early.js
 if (keepsPages)
-    import("./offline.js").then(({ keepForOffline }) => keepForOffline(site));
+    keepForOffline(site);

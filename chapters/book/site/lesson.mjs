@@ -2,12 +2,57 @@
 // and each figure ready to become live. Runs when the site is built.
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
+import { StreamLanguage } from "@codemirror/language";
+import { c } from "@codemirror/legacy-modes/mode/clike";
+import { classHighlighter, highlightCode } from "@lezer/highlight";
+import katex from "katex";
 import markdownIt from "markdown-it";
-import { colouredC } from "./coloured_c.mjs";
-import { toSpans, typeset, withMarks } from "./numbers.mjs";
+import { typesetNumber } from "../page/numbers.js";
 
 export const escape = (text) =>
     text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+
+const language = StreamLanguage.define(c);
+
+/** C code as HTML, coloured by the grammar that the editor uses. */
+export function colouredC(text) {
+    let html = "";
+    highlightCode(text, language.parser.parse(text), classHighlighter,
+        (code, classes) => { html += classes ? `<span class="${classes}">${escape(code)}</span>` : escape(code); },
+        () => { html += "\n"; });
+    return html;
+}
+
+// The numbers of the example in a lesson: each gets data-number="NAME", and the page changes it when a figure is dragged
+// (page/numbers.js). chapters/lessons/fill.py marks them in the markdown: U+E000 NAME U+E001 NUMBER U+E002.
+
+const MARKED = /\uE000(\w+)\uE001([^\uE002]*)\uE002/g;
+
+/** The lesson with its numbers marked; the lesson itself if that is another one. */
+function withMarks(lesson, file) {
+    const marked = existsSync(file) ? readFileSync(file, "utf8") : "";
+    return marked.replace(MARKED, "$2") === lesson ? marked : lesson;
+}
+
+/**
+ * A formula. It is there twice: for the eye, and as MathML for screen readers, where KaTeX keeps no name. So the MathML
+ * is made apart, with the name of a number in its place.
+ */
+function typeset(tex, displayMode) {
+    const settings = { displayMode, throwOnError: true, strict: (code) => code === "htmlExtension" ? "ignore" : "error",
+        trust: ({ command }) => command === "\\htmlData" };
+    if (!tex.includes("\uE000"))
+        return katex.renderToString(tex, settings);
+    const numbers = Object.fromEntries([...tex.matchAll(MARKED)].map(([, name, text]) => [name, text]));
+    const seen = katex.renderToString(tex.replace(MARKED, "\\htmlData{number=$1}{$2}"), settings);
+    const read = katex.renderToString(tex.replace(MARKED, (_, name) => `\\text{number:${name.replaceAll("_", "\\_")}}`), { ...settings, output: "mathml" });
+    const math = /<math.*<\/math>/s.exec(read)[0].replace(/<annotation.*<\/annotation>/s, "")
+        .replace(/<mtext>number:(\w+)<\/mtext>/g, (_, name) => `<mtext data-number="${name}">${typesetNumber(numbers[name])}</mtext>`);
+    return seen.replace(/<math.*<\/math>/s, () => math);
+}
+
+/** The marks outside of formulas. */
+const toSpans = (html) => html.replace(/\uE000(\w+)\uE001/g, '<span data-number="$1">').replaceAll("\uE002", "</span>");
 
 /** `$...$` as GitHub reads it: no space inside the dollars, no digit after them. */
 function inlineMathematics(markdown) {
@@ -93,7 +138,7 @@ export function figure({ root, file, words, first, used }) {
  * @param {string} of.path the file, in that folder
  * @param {(path: string) => string | null} of.pageOf the page of the site for a file of the toolkit; null if there is none
  * @param {Set<string>} of.used gets the path of each picture that the page needs
- * @param {string} of.marked the same file with its numbers marked, if there is one (numbers.mjs)
+ * @param {string} of.marked the same file with its numbers marked, if there is one (withMarks)
  * @param {string} of.up from the page to the top of the site: "" or "../"
  */
 export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {

@@ -6,8 +6,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
-import { colouredC } from "./coloured_c.mjs";
-import { escape, figure, lessonHtml } from "./lesson.mjs";
+import { colouredC, escape, figure, lessonHtml } from "./lesson.mjs";
 
 const [root, site, exercisesFile, lessonsFolder, drawnFolder, handIn = ""] = process.argv.slice(2);
 const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
@@ -55,7 +54,9 @@ function pageOf(path) {
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; style-src-attr 'unsafe-inline'; " +
     "img-src 'self' data: blob:; font-src 'self'; connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'";
 
-const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({ root, path: `chapters/${stem}/README.md`, marked: join(lessonsFolder, `${stem}.marked.md`), pageOf, used })]));
+const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({
+    root, path: `chapters/${stem}/README.md`, marked: join(lessonsFolder, `${stem}.marked.md`), pageOf, used,
+})]));
 const shortTitle = (stem) => lessons[stem].title.replace(/^\d\d /, "");
 
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
@@ -231,11 +232,13 @@ function textPage({ title, html }, note = "") {
         main: `<main class="text" id="main">${note}<article class="lesson">${html}</article></main>` });
 }
 if (existsSync(join(root, "exercises/optional/README.md"))) {
-    const optional = lessonHtml({ root, path: "exercises/optional/README.md", pageOf, used });
+    const optional = lessonHtml({
+        root, path: "exercises/optional/README.md", pageOf, used });
     write("optional.html", textPage(optional, '<p class="note">These tasks need the toolkit and a terminal: this page cannot judge them.</p>\n'));
 }
 if (existsSync(join(root, ENGINES)))
-    write("engines.html", textPage(lessonHtml({ root, path: ENGINES, pageOf, used })));
+    write("engines.html", textPage(lessonHtml({
+        root, path: ENGINES, pageOf, used })));
 for (const stem of stems)
     pageOf(`exercises/${stem}.h`);
 // A listing links to the headers that it includes.

@@ -7,7 +7,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { lessonNumbers } from "../../../chapters/book/lesson_numbers.js";
+import { lessonNumbers } from "../../../chapters/book/figure.js";
 
 const stems = readdirSync("chapters/lessons").filter((each) => each.endsWith(".md")).map((each) => each.slice(0, -3));
 const objectsOf = (folder) => readdirSync(folder, { recursive: true }).filter((each) => each.endsWith(".c") && each !== "main.c")
@@ -46,7 +46,8 @@ try {
         assert.deepEqual(lessonNumbers(program, "any", {}), {}, `${stem}: no options, no other number`);
         for (const options of examples.map((each) => optionsOf(stem, each))) {
             writeFileSync(join(scratch, "chapters/example.h"), headerOf(options));
-            execFileSync("cc", ["-std=c11", "-D_DEFAULT_SOURCE", "-ffp-contract=off", "-Wno-psabi", `-I${scratch}`, "-I.", "-o", join(scratch, "numbers"), "chapters/shared/example.c",
+            execFileSync("cc", ["-std=c11", "-D_DEFAULT_SOURCE", "-ffp-contract=off", "-Wno-psabi", `-I${scratch}`, "-I.",
+                "-o", join(scratch, "numbers"), "chapters/shared/example.c",
                 `build/chapters/lessons/${stem}.o`, "build/chapters/lessons/print_numbers.o", "build/chapters/lessons/numbers.o", ...objectsOf(`chapters/${stem}`),
                 ...stems.map((each) => `build/solutions/${each}.o`), "build/chapters/shared.a", "build/common.a", "-lpng", "-lz", "-lm", "-pthread"]);
             const made = JSON.parse(execFileSync(join(scratch, "numbers"), { encoding: "utf8" })), followed = lessonNumbers(program, "any", options);

@@ -78,7 +78,7 @@ const program = process.env[browserName.toUpperCase()] ??
 
 /** Milliseconds: for what hangs. A test waits for what happens, however busy the machine is. */
 const HANGS = 900_000;
-const SILENT = 30_000; // after so many the page ends a Worker (page/helper.js); in tests, after HANGS
+const SILENT = 30_000; // after so many the page ends a Worker (worker_questions.js); in tests, after HANGS
 
 export function launch() {
     const given = { executablePath: program, headless: true, timeout: HANGS, protocolTimeout: HANGS };
@@ -101,7 +101,10 @@ export async function openTab(browser, site, { width = 1280, height = 800 } = {}
     const tab = await browser.newPage();
     tab.faults = [];
     tab.on("pageerror", (error) => tab.faults.push(`error: ${error.message}`));
-    tab.on("console", (message) => { if (message.type() === "error") tab.faults.push(`console: ${message.text()}`); });
+    tab.on("console", (message) => {
+        if (message.type() === "error")
+            tab.faults.push(`console: ${message.text()}`);
+    });
     tab.on("request", (request) => {
         if (!request.url().startsWith(new URL(site).origin) && !/^(data|blob|about):/.test(request.url()))
             tab.faults.push(`another origin: ${request.url()}`);
@@ -153,7 +156,8 @@ export async function waitFor(what, probe) {
 export function replaceInEditor(place, text, judge) {
     const content = place.shadowRoot.querySelector(".cm-content");
     content.focus();
-    const press = (key, code, keyCode) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code, keyCode, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
+    const press = (key, code, keyCode) =>
+        content.dispatchEvent(new KeyboardEvent("keydown", { key, code, keyCode, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
     press("a", "KeyA", 65);
     // Firefox gives no clipboard to an event that a script makes.
     const paste = new Event("paste", { bubbles: true, cancelable: true });

@@ -3,11 +3,11 @@
 //
 // Usage: BROWSER=chromium|firefox node answers.mjs SITE
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
-import { readZip } from "../../../../chapters/book/page/zip.js";
+import { readZip } from "../../../../chapters/book/page/answers.js";
 import { begin, editorText, openTab, typeAtEnd, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2);

@@ -132,7 +132,8 @@ test("live figures, by mouse, finger, key and number", async () => {
     assert.deepEqual(await seriousFindings(tab), [], "numbers that follow");
 
     // Steps, and back to the lecture's numbers.
-    const press = (name, what) => tab.evaluate((at, which) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(which).click(), place(name), what);
+    const press = (name, what) =>
+        tab.evaluate((at, which) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(which).click(), place(name), what);
     const step = (await state(tab, "ray-sphere")).step;
     await press("ray-sphere", ".back");
     await waitFor("a step back", async () => (await state(tab, "ray-sphere")).step !== step);

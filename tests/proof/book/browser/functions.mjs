@@ -30,7 +30,7 @@ const opposite = { "+": "-", "-": "+", "*": "/", "/": "*", "<": ">", ">": "<" };
 /** The solution with another operator in one function; if that has none, it is not answered. */
 function wrong(solution, name) {
     const begin = solution.search(new RegExp(`^\\w.*\\b${name}\\([^;]*?\\)\\n\\{`, "m")), end = solution.indexOf("\n}", begin);
-    const found = /^ (?!.*\/\/).*? ([-+*\/<>]) /m.exec(begin < 0 ? "" : solution.slice(begin, end));
+    const found = /^ (?!.*\/\/).*? ([-+*/<>]) /m.exec(begin < 0 ? "" : solution.slice(begin, end));
     if (!found)
         return solution.slice(0, begin) + solution.slice(begin).replace(/\/\/~ /, "");
     const at = begin + found.index + found[0].length - 2;

@@ -21,7 +21,10 @@ const verdict = (what, wanted) => waitFor(`the verdict: ${what}`, async () => {
     assert.equal(trouble, "", what);
     return wanted.test(await textOf("#verdict")) && await tab.$eval("#progress", (each) => each.hidden);
 });
-const shot = async (name) => { if (shots) await tab.screenshot({ path: join(shots, `student-${browserName}-${name}.png`) }); };
+const shot = async (name) => {
+    if (shots)
+        await tab.screenshot({ path: join(shots, `student-${browserName}-${name}.png`) });
+};
 const open = async (stem) => {
     await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
     await waitForEditor(tab);

@@ -7,7 +7,7 @@ import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync }
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
-import { writeServiceWorker } from "../../../../chapters/book/site/write_service_worker.mjs";
+import { writeServiceWorker } from "../../../../chapters/book/site/bundle.mjs";
 import { begin, openTab, waitFor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), scratch = mkdtempSync(join(tmpdir(), "book-"));

@@ -1,0 +1,34 @@
+// style.test.mjs - the page's code has one style, and nothing in it is unused. FIX=1 mends what can be mended.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
+import test from "node:test";
+
+const require = createRequire(new URL("../../../chapters/book/package.json", import.meta.url));
+const { ESLint } = require("eslint"), js = require("@eslint/js"), globals = require("globals");
+const { default: stylistic } = await import(require.resolve("@stylistic/eslint-plugin"));
+
+const style = {
+    "arrow-parens": "always", "brace-style": ["1tbs", { allowSingleLine: true }], "comma-spacing": [], "eol-last": [], "keyword-spacing": [],
+    indent: [4, { SwitchCase: 1, ignoredNodes: ["TemplateLiteral *", "ConditionalExpression"] }], "max-len": [{ code: 180, ignoreTemplateLiterals: true, ignoreStrings: true, ignoreRegExpLiterals: true }],
+    "no-trailing-spaces": [], "nonblock-statement-body-position": "below", "object-curly-spacing": "always",
+    quotes: ["double", { avoidEscape: true, allowTemplateLiterals: "always" }], semi: [], "space-infix-ops": [],
+};
+const config = [js.configs.recommended, {
+    languageOptions: { globals: { ...globals.browser, ...globals.node, ...globals.serviceworker } },
+    plugins: { "@stylistic": stylistic },
+    rules: {
+        ...Object.fromEntries(Object.entries(style).map(([name, how]) => [`@stylistic/${name}`, ["error", ...[how].flat()]])),
+        eqeqeq: "error", "no-var": "error", "prefer-const": ["error", { destructuring: "all" }],
+    },
+}];
+
+test("the page's code has one style", async () => {
+    const files = execFileSync("git", ["ls-files", "chapters/book/*js", "tests/proof/book/*js"], { encoding: "utf8" }).trim().split("\n");
+    const fix = process.env.FIX === "1", eslint = new ESLint({ overrideConfigFile: true, overrideConfig: config, fix });
+    const results = await eslint.lintFiles(files);
+    if (fix)
+        await ESLint.outputFixes(results);
+    const found = results.flatMap(({ filePath, messages }) => messages.map(({ line, message }) => `${filePath}:${line}: ${message}`));
+    assert.deepEqual(found, []);
+});
