@@ -1,4 +1,4 @@
-// screen.h - the places on a screen: pixel, point, normalized coordinates.
+// screen.h - screen coordinates: pixel, point, normalized.
 //
 // Each has its own type, so that the compiler does not let you use one for another. Mapping
 // between them is exercise 03.

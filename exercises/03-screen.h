@@ -1,4 +1,4 @@
-// 03-screen.h - exercise 03: places on the screen.
+// 03-screen.h - exercise 03: screen coordinates.
 //
 // Slide 'Normalized screen coordinates'. The origin of the screen is at the upper left, and y
 // counts down. The origin of normalized coordinates is at the lower left, and t counts up
@@ -16,7 +16,7 @@
 Normalized screen_to_normalized(ScreenPoint point, Resolution screen);
 
 // Returns the point on the screen that has these normalized coordinates.
-ScreenPoint normalized_to_screen(Normalized place, Resolution screen);
+ScreenPoint normalized_to_screen(Normalized normalized, Resolution screen);
 
 // Returns the point that stands for a pixel: its centre.
 ScreenPoint pixel_center(Pixel pixel);

@@ -42,7 +42,7 @@ Quadratic world_quadratic(Ray ray, Sphere sphere);
 // 0.
 Roots quadratic_roots(Quadratic q);
 
-// Returns both places where the whole line of the ray meets the sphere, also those behind the
+// Returns both points where the whole line of the ray meets the sphere, also those behind the
 // origin; count is 0 or 2. This function is given: it calls your answers above. Extra, no marks:
 // keep the digits that the slide's formula loses for small distant spheres (Haines, Guenther,
 // Akenine-Moeller, 'Precision Improvements for Ray/Sphere Intersection', Ray Tracing Gems, chapter

@@ -1,4 +1,4 @@
-// 03-screen.c - exercise 03: places on the screen.
+// 03-screen.c - exercise 03: screen coordinates.
 //
 // Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/03-screen.h. The lesson: chapters/03-screen/README.md.
@@ -19,11 +19,11 @@ Normalized screen_to_normalized(ScreenPoint point, Resolution screen)
     // END SOLUTION
 }
 
-ScreenPoint normalized_to_screen(Normalized place, Resolution screen)
+ScreenPoint normalized_to_screen(Normalized normalized, Resolution screen)
 {
     // BEGIN SOLUTION
     //~ return NOT_ANSWERED(ScreenPoint);
-    return (ScreenPoint){place.s * screen.width, (1 - place.t) * screen.height};
+    return (ScreenPoint){normalized.s * screen.width, (1 - normalized.t) * screen.height};
     // END SOLUTION
 }
 

@@ -21,11 +21,11 @@ static void expect_normalized(ScreenPoint point, Resolution screen, double s, do
     expect_pair(yours.s, yours.t, s, t, tolerance);
 }
 
-static void expect_point(Normalized place, Resolution screen, double x, double y)
+static void expect_point(Normalized normalized, Resolution screen, double x, double y)
 {
     given_screen(screen);
-    given("(s, t)", "%s", pair_text(place.s, place.t).s);
-    ScreenPoint yours = normalized_to_screen(place, screen);
+    given("(s, t)", "%s", pair_text(normalized.s, normalized.t).s);
+    ScreenPoint yours = normalized_to_screen(normalized, screen);
     expect_pair(yours.x, yours.y, x, y, pixel_tolerance);
 }
 
@@ -82,12 +82,12 @@ TEST(screen_to_normalized, a_point_of_screens_of_any_shape_is_its_share_of_them)
     }
 }
 
-TEST(normalized_to_screen, the_place_of_the_point_of_the_example_is_that_point)
+TEST(normalized_to_screen, normalized_and_back_is_the_point_of_the_example)
 {
     Resolution screen = example_screen();
     ScreenPoint point = example_point();
-    Normalized place = {point.x / screen.width, (screen.height - point.y) / screen.height};
-    expect_point(place, screen, point.x, point.y);
+    Normalized normalized = {point.x / screen.width, (screen.height - point.y) / screen.height};
+    expect_point(normalized, screen, point.x, point.y);
 }
 
 TEST(normalized_to_screen, the_corners_of_the_unit_square_are_the_corners_of_the_screen)
@@ -99,7 +99,7 @@ TEST(normalized_to_screen, the_corners_of_the_unit_square_are_the_corners_of_the
     expect_point((Normalized){1, 0}, screen, 640, 480);
 }
 
-TEST(normalized_to_screen, a_place_may_be_between_whole_pixels_on_the_screen)
+TEST(normalized_to_screen, a_point_may_be_between_whole_pixels_on_the_screen)
 {
     expect_point((Normalized){0.625, 0.75}, (Resolution){4, 3}, 2.5, 0.75);
     expect_point((Normalized){0.25, 0.625}, (Resolution){1, 1}, 0.25, 0.375);
@@ -131,10 +131,10 @@ TEST(normalized_to_screen, to_the_square_and_back_is_the_same_point)
         ScreenPoint point = {x, quarters(-9, 2000)};
         given_screen(screen);
         given("point", "%s", pair_text(point.x, point.y).s);
-        Normalized place = screen_to_normalized(point, screen);
-        given("there", "%s", pair_text(place.s, place.t).s);
+        Normalized normalized = screen_to_normalized(point, screen);
+        given("there", "%s", pair_text(normalized.s, normalized.t).s);
         given("and", "back again");
-        ScreenPoint back = normalized_to_screen(place, screen);
+        ScreenPoint back = normalized_to_screen(normalized, screen);
         expect_pair(back.x, back.y, point.x, point.y, pixel_tolerance);
     }
 }
@@ -193,7 +193,7 @@ PROBE(screen_to_normalized, any_point_of_any_screen)
     }
 }
 
-PROBE(normalized_to_screen, any_place_of_any_screen)
+PROBE(normalized_to_screen, anywhere_on_any_screen)
 {
     for (int i = 0; i < MANY; i++) {
         Resolution size = screen(i);

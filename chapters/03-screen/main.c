@@ -1,4 +1,4 @@
-// main.c - chapter 03: places on the screen.
+// main.c - chapter 03: screen coordinates.
 //
 // Shows the lecture's point on its screen, the corners and pixel centres, normalized and back. Its
 // picture colours each pixel by its own coordinates: red is s, green is t.
@@ -31,7 +31,7 @@ static void show_pixel(Pixel pixel, Resolution screen)
 static void show_places(double x, double y, Pixel pixel, Resolution screen)
 {
     double width = screen.width, height = screen.height;
-    printf("03-screen: places on the screen\n");
+    printf("03-screen: screen coordinates\n");
     story_heading("A screen of %d x %d pixels", screen.width, screen.height);
     printf("  %-16s %-18s %-26s %s\n", "", "point (x, y)", "normalized (s, t)", "and back");
     show_point("the point", (ScreenPoint){x, y}, screen);

@@ -154,7 +154,7 @@ static void hits(Ray ray, Sphere sphere, Roots roots)
     story_line("roots", answers_missing() > 0 ? "not answered yet" : "%d", roots.count);
     for (int i = 0; i < roots.count; i++) {
         vec3 point = ray.origin + roots.t[i] * ray.direction;
-        story_line("  t", "%-10s at %s, |p + tv - c| = %s", number_text(roots.t[i]).s,
+        story_line("  t", "%-10s at %s, |p + tv - C| = %s", number_text(roots.t[i]).s,
                    vec3_text(point).s, number_text(vec3_length(point - sphere.center)).s);
     }
     double t = hit_sphere(ray, sphere);

@@ -183,7 +183,8 @@ ACROSS("C6-unit", "d f - 0.2 r - 0.4 u",
        "30% and 10% of 1, not of the plane. The length of 30% depends on the width of the plane.",
        "right if w = h = 1", steps(c, ahead, -0.2, -0.4))
 ACROSS("C6-mixed", "d f + (0.3 - w/2) r + (0.1 - h/2) u",
-       "0.3 is a share and w/2 is a length. A share becomes a length only when you multiply it by "
+       "0.3 is a fraction and w/2 is a length. A fraction becomes a length only when you multiply "
+       "it by "
        "one.",
        "right if w = h = 1", steps(c, ahead, 0.3 - c.width / 2, 0.1 - c.height / 2))
 ACROSS("C6-percent", "d f + 29.5 w r + 9.5 h u",
@@ -199,7 +200,7 @@ ACROSS("C6-drawn", "d f - 0.25 h u",
        "here: follow the text.",
        "the point in the middle column", image_plane_vector(c, 0.5, 0.25))
 ACROSS("C6-w", "d f - 0.2 w r - 0.4 w u",
-       "the width is used both times. 10% up is a share of the height.",
+       "the width is used both times. 10% up is a fraction of the height.",
        "right if w = h; if not, too low or too high", steps(c, ahead, aside, 2 * aside))
 ACROSS("C6-ru", "d f - 0.2 w u - 0.4 h r", ACROSS_AND_UP_SWAPPED, DIAGONAL,
        steps(c, ahead, above, aside))
@@ -244,7 +245,8 @@ PLACE("G-ss", "d f + (s - 1/2) w r + (s - 1/2) h u",
       "stripes from top to bottom: all rows are alike",
       steps(c, ahead, aside, (s - 0.5) * c.height))
 PLACE("G-unit", "d f + (s - 1/2) r + (t - 1/2) u",
-      "s and t are shares, without a unit. The length of a share depends on the size of the plane.",
+      "s and t are fractions, without a unit. The length of a fraction depends on the size of the "
+      "plane.",
       "right if w = h = 1; if not, a narrower or wider view", steps(c, ahead, s - 0.5, t - 0.5))
 PLACE("G-half", "d f + (s - 1/2) w/2 r + (t - 1/2) h/2 u",
       "halved twice. This goes only half as far across and up as the edges are.",
@@ -253,14 +255,14 @@ PLACE("G-twice", "d f + (2 s - 1) w r + (2 t - 1) h u",
       "from -1 to 1 is two widths. From its left edge to its right edge the plane is only w wide.",
       "everything at half its size", steps(c, ahead, 2 * aside, 2 * above))
 PLACE("G-order", "d f + (s w - 1/2) r + (t h - 1/2) u",
-      "s w is a length and 1/2 is a share. Subtract half of the plane, not half a unit.",
+      "s w is a length and 1/2 is a fraction. Subtract half of the plane, not half a unit.",
       "right if w = h = 1; if not, shifted",
       steps(c, ahead, aside + c.width / 2 - 0.5, above + c.height / 2 - 0.5))
 PLACE("G-w", "d f + (s - 1/2) w r + (t - 1/2) w u",
-      "the width is used both times. t is a share of the height.",
+      "the width is used both times. t is a fraction of the height.",
       "right if w = h; if not, squashed or stretched", steps(c, ahead, aside, (t - 0.5) * c.width))
 PLACE("G-h", "d f + (s - 1/2) h r + (t - 1/2) h u",
-      "the height is used both times. s is a share of the width.",
+      "the height is used both times. s is a fraction of the width.",
       "right if w = h; if not, squashed or stretched", steps(c, ahead, (s - 0.5) * c.height, above))
 PLACE("G-clamp", "s and t limited to 0..1",
       "beyond the edges the same formula holds; there is no limit.",

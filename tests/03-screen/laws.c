@@ -43,11 +43,11 @@ LAW(normalized_to_screen)
     if (far_from(yours.x, right.x, screen.width)) {
         Apart a = apart(yours.x, right.x);
         law_broken("your point is %s from the left edge; s = %s of a width of %d pixels is %s",
-                   a.yours.s, number_text(place.s).s, screen.width, a.right.s);
+                   a.yours.s, number_text(normalized.s).s, screen.width, a.right.s);
     } else if (far_from(above, up, screen.height)) {
         Apart a = apart(above, up);
         law_broken("your point is %s above the bottom edge; t = %s of a height of %d pixels is %s",
-                   a.yours.s, number_text(place.t).s, screen.height, a.right.s);
+                   a.yours.s, number_text(normalized.t).s, screen.height, a.right.s);
     }
 }
 

@@ -5,10 +5,10 @@
 
 RIGHT(screen_to_normalized, "the rest of the height, divided")
 {
-    Normalized place;
-    place.s = point.x / (double)screen.width;
-    place.t = (screen.height - point.y) / screen.height;
-    return place;
+    Normalized normalized;
+    normalized.s = point.x / (double)screen.width;
+    normalized.t = (screen.height - point.y) / screen.height;
+    return normalized;
 }
 
 RIGHT(screen_to_normalized, "counted from the middle")
@@ -24,13 +24,13 @@ RIGHT(screen_to_normalized, "times the size of a pixel")
 }
 
 RIGHT_LINE(normalized_to_screen, "up from the bottom edge",
-           return (ScreenPoint){.x = screen.width * place.s,
-                                .y = screen.height - place.t * screen.height})
+           return (ScreenPoint){.x = screen.width * normalized.s,
+                                .y = screen.height - normalized.t * screen.height})
 
 RIGHT(normalized_to_screen, "minus the height, times t - 1")
 {
-    double y = -screen.height * (place.t - 1);
-    return (ScreenPoint){.x = place.s * screen.width, .y = y};
+    double y = -screen.height * (normalized.t - 1);
+    return (ScreenPoint){.x = normalized.s * screen.width, .y = y};
 }
 
 RIGHT(pixel_center, "half way between the corners")

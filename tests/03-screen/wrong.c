@@ -10,7 +10,7 @@
     "four pixels have five edges, and from the first edge to the last it is four pixels, not "     \
     "three."
 
-// In the letters of the lesson: a point (x, y) of a screen of W by H pixels, a place (s, t).
+// In the letters of the lesson: a point (x, y) of a screen of W by H pixels, normalized (s, t).
 #define PLACE(id, formula, why, picture, across, upward)                                           \
     WRONG(screen_to_normalized, id, formula, why, picture)                                         \
     {                                                                                              \
@@ -23,8 +23,8 @@
 #define POINT(id, formula, why, picture, ...)                                                      \
     WRONG(normalized_to_screen, id, formula, why, picture)                                         \
     {                                                                                              \
-        LETTER(double, s) = place.s;                                                               \
-        LETTER(double, t) = place.t;                                                               \
+        LETTER(double, s) = normalized.s;                                                          \
+        LETTER(double, t) = normalized.t;                                                          \
         LETTER(int, W) = screen.width;                                                             \
         LETTER(int, H) = screen.height;                                                            \
         return (ScreenPoint){__VA_ARGS__};                                                         \
@@ -40,7 +40,7 @@
 // ---- wrong conversions from a point of the screen to normalized coordinates ---------------------
 
 PLACE("N1", "(x/W, y/H)",
-      "y counts down from the top, t up from the bottom. This is the share of the way down.",
+      "y counts down from the top, t up from the bottom. This is the fraction of the way down.",
       "upside down", x / W, y / H)
 PLACE("N2", "x/W and y/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0 for every point on the screen.",
@@ -80,7 +80,8 @@ PLACE("N-order", "(x/W, (1 - y)/H)",
       "1 is the whole height only after dividing. Before, in pixels, 1 is just one pixel.",
       "the view almost a whole picture too low", x / W, (1 - y) / H)
 PLACE("N-minus", "(x/W, y/H - 1)",
-      "the subtraction is reversed: t is 1 minus the share of the way down, and not below 0 on the "
+      "the subtraction is reversed: t is 1 minus the fraction of the way down, and not below 0 on "
+      "the "
       "screen.",
       "upside down, and the view a whole picture too low", x / W, y / H - 1)
 PLACE("N-plus", "(x/W, 1 + y/H)",
@@ -108,10 +109,10 @@ PLACE("N-odd", "W/2 and H/2 in integers",
       "right for even sizes; slightly off for odd ones", 0.5 + 0.5 * (x - W / 2) / fmax(W / 2, 1),
       0.5 - 0.5 * (y - H / 2) / fmax(H / 2, 1))
 PLACE("N-over", "(W/x, 1 - H/y)",
-      "the fractions are upside down. A share is the part divided by the whole.",
+      "the fractions are upside down. A fraction is the part divided by the whole.",
       "nothing recognisable", W / x, 1 - H / y)
 PLACE("N-pixels", "(x, H - y)",
-      "reversed, but still in pixels. s and t are shares of the screen, without a unit.",
+      "reversed, but still in pixels. s and t are fractions of the screen, without a unit.",
       "one flat colour: after the first pixel the rays leave the view", x, H - y)
 
 // ---- wrong conversions from normalized coordinates to the point of the screen -------------------
@@ -119,10 +120,11 @@ PLACE("N-pixels", "(x, H - y)",
 POINT("B1", "(s W, t H)",
       "t counts up from the bottom, y down from the top. This is the height above the bottom.",
       "upside down", .x = s * W, .y = t * H)
-POINT("B2", "s and t truncated to integers",
-      "the share is converted to an integer before the multiplication, and everywhere inside the "
-      "screen the result is 0.",
-      "every point in the lower left corner", .x = (int)s * W, .y = (1 - (int)t) * H)
+POINT(
+    "B2", "s and t truncated to integers",
+    "the fraction is converted to an integer before the multiplication, and everywhere inside the "
+    "screen the result is 0.",
+    "every point in the lower left corner", .x = (int)s * W, .y = (1 - (int)t) * H)
 POINT("B3", "(s (W - 1), (1 - t) (H - 1))", EDGES,
       "slightly too small: the last column and row stay empty", .x = s * (W - 1),
       .y = (1 - t) * (H - 1))
@@ -183,11 +185,11 @@ POINT("B-half-more", "half a pixel more",
       "and t say.",
       "half a pixel off, to the right and downward", .x = s * W + 0.5, .y = (1 - t) * H + 0.5)
 POINT("B-clamp", "x and y limited to the screen",
-      "a place beyond 0..1 is beyond the screen; there is no limit at the edge.",
+      "a point beyond 0..1 is beyond the screen; there is no limit at the edge.",
       "everything beyond the screen is drawn along its edge", .x = fmin(fmax(s * W, 0), W),
       .y = fmin(fmax((1 - t) * H, 0), H))
 POINT("B-divide", "(s/W, (1 - t)/H)",
-      "this is the other direction. A share becomes pixels when you multiply it by the whole.",
+      "this is the other direction. A fraction becomes pixels when you multiply it by the whole.",
       "every point in the upper left pixel", .x = s / W, .y = (1 - t) / H)
 
 // ---- wrong centres of pixels --------------------------------------------------------------------

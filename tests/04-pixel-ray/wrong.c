@@ -93,11 +93,11 @@ PLACE("P-height", "x/H and y/H",
       "H is used for both. From the left of the screen to the right it is W pixels.",
       "right on a square screen; if not square, out of shape and shifted", x / H, 1 - y / H)
 PLACE("P-larger", "the larger of W and H for both",
-      "x is a share of W and y a share of H, whichever is larger.",
+      "x is a fraction of W and y a fraction of H, whichever is larger.",
       "right on a square screen; if not square, out of shape and shifted", x / fmax(W, H),
       1 - y / fmax(W, H))
 PLACE("P-smaller", "the smaller of W and H for both",
-      "x is a share of W and y a share of H, whichever is larger.",
+      "x is a fraction of W and y a fraction of H, whichever is larger.",
       "right on a square screen; if not square, out of shape and shifted", x / fmin(W, H),
       1 - y / fmin(W, H))
 PLACE("P-less", "column/(W - 1) and row/(H - 1)",
@@ -117,10 +117,10 @@ PLACE("P-less-half", "x/(W - 1) and y/(H - 1)",
       "three.",
       "everything slightly too small; on a single pixel, nothing", x / (W - 1), 1 - y / (H - 1))
 PLACE("P-pixels", "x and y for s and t",
-      "these are pixels; the camera needs shares of the screen, counted from the lower left.",
+      "these are pixels; the camera needs fractions of the screen, counted from the lower left.",
       "one flat colour: after the first pixel the rays leave the view", x, y)
 PLACE("P-raw", "s = column, t = row",
-      "these count pixels; the camera needs shares of the screen, counted from the lower left.",
+      "these count pixels; the camera needs fractions of the screen, counted from the lower left.",
       "one flat colour: after the first pixel the rays leave the view", column, row)
 PLACE("P-whole", "column/W and row/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0, so every ray goes to the same "
@@ -143,8 +143,8 @@ PLACE("P-whole-turned", "s = column/W, t = (H - row)/H in integers",
       "go to the same corner.",
       "one flat colour, another in the first row", column / W, (H - row) / H)
 PLACE("P-down", "t = y/H",
-      "rows are counted downward and t upward. This is the share of the way down.", "upside down",
-      x / W, y / H)
+      "rows are counted downward and t upward. This is the fraction of the way down.",
+      "upside down", x / W, y / H)
 PLACE("P-down-corner", "s = column/W, t = row/H",
       "rows are counted downward and t upward; and this is the pixel's corner, not its centre.",
       "upside down, and half a pixel off", (double)column / W, (double)row / H)
@@ -210,7 +210,7 @@ OF_CAMERA("P-back-f", "v with -f",
 OF_CAMERA("P-distance", "f instead of d f",
           "f has length 1, and the plane is not at distance 1: the step ahead is d f.",
           "right if d = 1; if not, a narrower or wider view", camera.distance = 1)
-OF_CAMERA("P-unit", "w = h = 1", "the length of a share depends on the size of the plane.",
+OF_CAMERA("P-unit", "w = h = 1", "the length of a fraction depends on the size of the plane.",
           "right if w = h = 1; if not, a narrower or wider view", camera.width = camera.height = 1)
 OF_CAMERA("P-narrow", "w/2 instead of w, h/2 instead of h",
           "halved twice. The rays of the outermost pixels go only half way to the edges.",

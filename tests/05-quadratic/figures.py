@@ -280,15 +280,15 @@ def geometric_roots(m):
     checks.near("L", figure.tips("L"), [panel.place(m.c)] if near and math.dist(m.p, m.c) > 1e-6 * m.r else [])
     checks.same("s and m", [figure.number("s"), figure.number("m")], [m.t * length(m.v), m.away])
     middle = math.dist(m.at(m.roots[0]), m.at(m.roots[1])) / 2 if m.roots else math.nan
-    checks.that("q is half the distance of the hits", not m.roots or abs(figure.number("q") - middle) < 1e-5 * m.r)
+    checks.that("k is half the distance of the hits", not m.roots or abs(figure.number("k") - middle) < 1e-5 * m.r)
     checks.stroke(figure, "m", panel.place(m.nearest), panel.place(m.c))
     if m.roots:
-        checks.stroke(figure, "q", panel.place(m.nearest), panel.place(m.at(m.roots[1])))
+        checks.stroke(figure, "k", panel.place(m.nearest), panel.place(m.at(m.roots[1])))
     if min(m.away, abs(m.t) * length(m.v)) > 0.1 * m.r:
         at_m = panel.place(m.nearest)
         checks.that("the mark of the right angle is a square at M", all(
             min(abs(x - at_m[0]), abs(y - at_m[1])) < 0.1 for x, y in figure.line("right angle")[::2]))
-    has_label(figure, "geometric-roots", "no root" if not m.roots else "(s + q) / |v|")
+    has_label(figure, "geometric-roots", "no root" if not m.roots else "(s + k) / |v|")
     return figure
 
 

@@ -189,31 +189,31 @@ LAW(sphere_roots)
     if (!look(ray, sphere, &sight))
         return;
     if (yours.count != 0 && yours.count != 2) {
-        law_broken("you return count = %d, but a line meets a sphere in 2 places (equal ones if it "
-                   "only touches) or in none",
+        law_broken("you return count = %d, but a line meets a sphere at 2 points (equal ones if it "
+                   "only touches) or at none",
                    yours.count);
         return;
     }
     if (sight.beside && yours.count == 2)
         law_broken("the line passes %s from the centre and r is %s: it does not meet the sphere, "
-                   "but you return two places",
+                   "but you return two roots",
                    number_text(sight.l).s, number_text(sight.r).s);
     if (sight.through && yours.count == 0)
         law_broken("the line passes %s from the centre and r is %s: it meets the sphere twice, but "
-                   "you return no place",
+                   "you return no root",
                    number_text(sight.l).s, number_text(sight.r).s);
     for (int i = 0; i < yours.count; i++) {
         double off = off_the_sphere(&sight, yours.t[i]);
         if (!(fabs(off) <= 1e-4 * sight.r))
-            law_broken("the point at your %s t = %s is not on the sphere: |p + tv - c| - r = %s",
+            law_broken("the point at your %s t = %s is not on the sphere: |p + tv - C| - r = %s",
                        nth[i], number_text(yours.t[i]).s, number_text(off).s);
     }
     if (yours.count == 2 && yours.t[0] > yours.t[1])
-        law_broken("your places are not ascending: t = %s comes before t = %s",
+        law_broken("your roots are not ascending: t = %s comes before t = %s",
                    number_text(yours.t[0]).s, number_text(yours.t[1]).s);
     double chord = right.t[1] - right.t[0];
     if (sight.through && yours.count == 2 && yours.t[1] - yours.t[0] < chord / 2)
-        law_broken("between your places the ray goes %s, but the chord inside the sphere is %s "
+        law_broken("between your two points the ray goes %s, but the chord inside the sphere is %s "
                    "long",
                    number_text((yours.t[1] - yours.t[0]) * sight.speed).s,
                    number_text(chord * sight.speed).s);
@@ -244,7 +244,7 @@ LAW(hit_sphere)
     else if (!(yours > 0))
         law_broken("your t = %s is not ahead of the eye, where t > 0", number_text(yours).s);
     else if (!(fabs(off_the_sphere(&sight, yours)) <= 1e-4 * sight.r))
-        law_broken("the point at your t = %s is not on the sphere: |p + tv - c| - r = %s",
+        law_broken("the point at your t = %s is not on the sphere: |p + tv - C| - r = %s",
                    number_text(yours).s, number_text(off_the_sphere(&sight, yours)).s);
     else if (sight.through && sight.outside && yours > sight.foot)
         law_broken(

@@ -9,20 +9,20 @@ WRONG_LINE(to_object_coordinates, "Q7", "p unchanged",
            "this is the eye seen from the world's origin, but it must be seen from the centre of "
            "the sphere.",
            "every sphere at the origin of the world", return ray)
-WRONG_LINE(to_object_coordinates, "Q9", "p + c",
-           "seen from the centre, the eye moves in the opposite direction: subtract c.",
+WRONG_LINE(to_object_coordinates, "Q9", "p + C",
+           "seen from the centre, the eye moves in the opposite direction: subtract C.",
            "every sphere mirrored to the other side of the world's origin",
            return (Ray){ray.origin + sphere.center, ray.direction})
 WRONG_LINE(
-    to_object_coordinates, "O-eye", "c - p",
+    to_object_coordinates, "O-eye", "C - p",
     "this is the centre seen from the eye; the exercise asks for the eye seen from the centre.",
     "nothing from in front of the eye, but the scene behind it",
     return (Ray){sphere.center - ray.origin, ray.direction})
-WRONG_LINE(to_object_coordinates, "O-both", "p - c, and v - c as well",
+WRONG_LINE(to_object_coordinates, "O-both", "p - C, and v - C as well",
            "a direction is a difference of two points. Seen from any other point it is the same.",
            "spheres bent and out of place, except one at the origin of the world",
            return (Ray){ray.origin - sphere.center, ray.direction - sphere.center})
-WRONG_LINE(to_object_coordinates, "O-v", "p unchanged, and v - c",
+WRONG_LINE(to_object_coordinates, "O-v", "p unchanged, and v - C",
            "seen from another point the ray has another origin, but the same direction.",
            "spheres bent and out of place, except one at the origin of the world",
            return (Ray){ray.origin, ray.direction - sphere.center})
@@ -31,7 +31,7 @@ WRONG_LINE(to_object_coordinates, "O-unit", "v / |v|",
            "v, that t does not reach the sphere.",
            "the right outlines at wrong depths",
            return (Ray){ray.origin - sphere.center, vec3_unit(ray.direction)})
-WRONG_LINE(to_object_coordinates, "O-radius", "(p - c) / r",
+WRONG_LINE(to_object_coordinates, "O-radius", "(p - C) / r",
            "seen from the centre the eye is as far away as in the world. Only the origin moves; "
            "nothing is scaled.",
            "large spheres too large and small ones too small",
@@ -122,7 +122,7 @@ OBJECT_AND_WORLD("Q-float", "a, b, c in float", "a, b, c in float", SEVEN_DIGITS
 
 OBJECT("Q1", "b = p.v", "multiply out (p + tv).(p + tv): p.v occurs twice.",
        "holes, or a blank picture", a, b / 2, c)
-OBJECT("Q2", "b = -2 p.v", "with this sign, places ahead on the ray come out behind its origin.",
+OBJECT("Q2", "b = -2 p.v", "with this sign, points ahead on the ray come out behind its origin.",
        "spheres vanish, and those behind the eye appear", a, -b, c)
 OBJECT("Q2-angle", "b = 2 |p| |v|",
        "this is their dot product only if p and v have the same direction. The angle between them "
@@ -148,7 +148,7 @@ OBJECT("Q-swap", "a and c swapped",
        "the right outlines, but far objects cover near ones", c, b, a)
 // Instead of the dot product: components multiplied, and the first one taken.
 OBJECT("Q-dot", "only the x of every product",
-       "v * w multiplies component by component; a dot product is the sum of all three.",
+       "p * v multiplies component by component; a dot product is the sum of all three.",
        "a wall instead of the sphere: every ray hits", (v * v)[0], 2 * (p * v)[0],
        (p * p)[0] - r * r)
 OBJECT("Q5-tiny", "a at least 1e-6",
@@ -172,7 +172,7 @@ WRONG_LINE(world_quadratic, "Q9-world", "b = 2 (p + C).v, c = |p + C|^2 - r^2",
            "every sphere mirrored to the other side of the world's origin",
            return right(ray.origin + sphere.center, ray.direction, sphere.radius))
 WORLD("Q2-world", "b = 2 (C - p).v",
-      "with this sign, places ahead on the ray come out behind its origin. c is right, because "
+      "with this sign, points ahead on the ray come out behind its origin. c is right, because "
       "squares ignore the sign; b is not.",
       "spheres vanish, and those behind the eye appear", a, -b, c)
 WORLD("Q1-world", "b = p.v - C.v", "square p - C + tv: the product of p - C with v occurs twice.",
@@ -311,7 +311,7 @@ WITH_AND_WITHOUT_CASES("R2-plus", "D = b^2 + 4ac",
                        (-q.b + sign * square_root) / (2 * q.a))
 WITH_AND_WITHOUT_CASES(
     "R4", "t = (b +- sqrt(D)) / (2a)",
-    "these roots belong to the ray in the opposite direction: places ahead come out behind.",
+    "these roots belong to the ray in the opposite direction: points ahead come out behind.",
     "a blank picture", discriminant(q), (q.b + sign * square_root) / (2 * q.a))
 WITH_AND_WITHOUT_CASES("R-sqrt", "t = (-b +- D) / (2a)",
                        "D is a square, like b^2, and cannot be added to b.",
@@ -326,12 +326,12 @@ WITH_CASES("R1-a", "t = (-b +- sqrt(D)) / 2",
            "do not see it.",
            "the right outlines at wrong depths", discriminant(q), (-q.b + sign * square_root) / 2)
 WITH_CASES("R2-half", "D = (b/2)^2 - ac, t = (-b +- sqrt(D)) / (2a)",
-           "D is for half of b, the rest for the whole b: the two places are only half as far "
+           "D is for half of b, the rest for the whole b: the two roots are only half as far "
            "apart as they should be.",
            "the right outlines, but flatter spheres", q.b / 2 * (q.b / 2) - q.a * q.c,
            (-q.b + sign * square_root) / (2 * q.a))
 WITH_CASES("R2-whole", "t = (-b/2 +- sqrt(D)) / a",
-           "this formula needs the D of half b, and this D is of the whole b: the two places are "
+           "this formula needs the D of half b, and this D is of the whole b: the two roots are "
            "twice as far apart as they should be.",
            "the right outlines, but spheres that bulge towards the eye", discriminant(q),
            (-q.b / 2 + sign * square_root) / q.a)
@@ -341,12 +341,12 @@ WITH_CASES("R2-c", "D = b^2 - 4c",
            "bloated spheres, or spheres too small if v is short", -4 * q.c + q.b * q.b,
            (-q.b + sign * square_root) / (2 * q.a))
 WITH_CASES("R-abs", "sqrt(|D|)",
-           "a negative D says that the ray misses the sphere. With |D| you invent two places that "
+           "a negative D says that the ray misses the sphere. With |D| you invent two points that "
            "are not on the sphere.",
            "a picture filled by the sphere: every ray hits", fabs(discriminant(q)),
            (-q.b + sign * square_root) / (2 * q.a))
 WITH_CASES("R-same", "both roots with - sqrt(D)",
-           "a line that enters a sphere also leaves it, at another place.",
+           "a line that enters a sphere also leaves it, at another point.",
            "a sphere that vanishes as soon as the eye is inside", discriminant(q),
            (-q.b - square_root) / (2 * q.a))
 // q = -(b + sqrt(D)) / 2, ignoring the sign of b; then c / q divides by 0.
@@ -390,11 +390,11 @@ WITHOUT_CASES("R1-none", "t = -b +- sqrt(D) / 2 * a",
     }
 
 OF_SLIDE("R5", "roots only if D > 0",
-         "D = 0 is the ray that just touches the sphere: both places are equal, but it is a hit.",
+         "D = 0 is the ray that just touches the sphere: both roots are equal, but it is a hit.",
          "hardly anything: single pixels missing at the edge",
          q.a != 0 && d == 0 ? no_roots : roots)
 OF_SLIDE("R5-once", "one root if D = 0",
-         "both places are equal, but they still count as two: only a line, a = 0, has a single "
+         "both roots are equal, but they still count as two: only a line, a = 0, has a single "
          "root.",
          "hardly anything: single pixels missing at the edge",
          roots.count == 2 && roots.t[0] == roots.t[1] ? (Roots){1, {roots.t[0]}} : roots)
@@ -402,7 +402,7 @@ OF_SLIDE("R5-tiny", "roots only if D > 1e-6",
          "the size of D depends on the size of a, b and c. For a small sphere or a short direction "
          "D is always small.",
          "small spheres vanish", q.a != 0 && d < tiny ? no_roots : roots)
-OF_SLIDE("R-D-tiny", "one place if |D| < 1e-6",
+OF_SLIDE("R-D-tiny", "one root if |D| < 1e-6",
          "the size of D depends on the size of a, b and c. For a small sphere or a short direction "
          "D is always small.",
          "small spheres drawn as flat discs, and too large",
@@ -421,18 +421,18 @@ OF_SLIDE("R-order", "first with -, then with + sqrt(D)",
          "no visible difference, because for a ray and a sphere a is positive",
          roots.count == 2 && q.a < 0 ? (Roots){2, {roots.t[1], roots.t[0]}} : roots)
 OF_SLIDE("R-down", "the larger root first",
-         "the eye sees the place that comes first along the ray, and hit_sphere expects it in "
+         "the eye sees the point that comes first along the ray, and hit_sphere expects it in "
          "t[0].",
          "the inside of every sphere",
          roots.count == 2 ? (Roots){2, {roots.t[1], roots.t[0]}} : roots)
 OF_SLIDE("R-ahead", "only the roots above 0",
-         "hit_sphere decides which places are ahead of the eye. The equation has both roots.",
+         "hit_sphere decides which roots are ahead of the eye. The equation has both roots.",
          "no visible difference, until a caller needs the hits of the whole line",
          roots.count<2 || roots.t[0]> 0 ? roots
          : roots.t[1] > 0               ? (Roots){1, {roots.t[1]}}
                                         : no_roots)
 OF_SLIDE("R-b0", "no roots if b = 0",
-         "b = 0 says only that the ray starts where it is closest to the centre; the two places "
+         "b = 0 says only that the ray starts where it is closest to the centre; the two points "
          "are then on opposite sides.",
          "a sphere that vanishes if the eye is at its centre", q.b == 0 ? no_roots : roots)
 OF_SLIDE("R-a0", "/ (2a) even if a = 0",
@@ -509,24 +509,24 @@ WRONG_LINE(sphere_roots, "S-float", "a, b, c as float",
     }
 
 OF_ROOTS("S-ahead", "nothing if both roots are behind",
-         "this function returns the places of the whole line. hit_sphere decides which are ahead.",
-         "no visible difference, until a caller needs the places behind",
+         "this function returns the roots of the whole line. hit_sphere decides which are ahead.",
+         "no visible difference, until a caller needs the points behind",
          roots.count == 2 && roots.t[1] <= 0 ? no_roots : roots)
 OF_ROOTS("S-inside", "only the root ahead, from inside",
-         "the line also meets the sphere behind the eye, and this function returns the places of "
+         "the line also meets the sphere behind the eye, and this function returns the roots of "
          "the whole line.",
-         "no visible difference, until a caller needs the places behind",
+         "no visible difference, until a caller needs the points behind",
          roots.count == 2 && roots.t[0] < 0 && roots.t[1] > 0 ? (Roots){1, {roots.t[1]}} : roots)
 OF_ROOTS("R5-sphere", "a miss if the line just touches",
-         "at l = r both places are equal, but the line does touch the sphere.",
+         "at m = r both roots are equal, but the line does touch the sphere.",
          "hardly anything: single pixels missing at the edge",
          roots.count == 2 && roots.t[0] == roots.t[1] ? no_roots : roots)
 OF_ROOTS("S-once", "one root if the line just touches",
-         "both places are equal, but they still count as two.",
+         "both roots are equal, but they still count as two.",
          "hardly anything: single pixels missing at the edge",
          roots.count == 2 && roots.t[0] == roots.t[1] ? (Roots){1, {roots.t[0]}} : roots)
-OF_ROOTS("S-down", "the far place first",
-         "the eye sees the place that comes first along the ray, and hit_sphere expects it in "
+OF_ROOTS("S-down", "the larger root first",
+         "the eye sees the point that comes first along the ray, and hit_sphere expects it in "
          "t[0].",
          "the inside of every sphere",
          roots.count == 2 ? (Roots){2, {roots.t[1], roots.t[0]}} : roots)
@@ -561,12 +561,12 @@ WRONG(sphere_roots, "S-always", "t = -p.v / v.v if it misses",
         return l <= r ? (Roots){2, {foot - half, foot + half}} : no_roots;                         \
     }
 
-BY_CLOSEST_APPROACH("S-chord", "t = -p.v / v.v +- sqrt(r^2 - l^2)",
+BY_CLOSEST_APPROACH("S-chord", "t = -p.v / v.v +- sqrt(r^2 - m^2)",
                     "the first part is in lengths of v, but half the chord is a length in the "
                     "world. Convert one before you add them.",
                     "the right outlines, but spheres too flat or too deep", foot_of(p, v),
                     half_chord)
-BY_CLOSEST_APPROACH("S-chord-a", "t = (-p.v +- sqrt(r^2 - l^2)) / v.v",
+BY_CLOSEST_APPROACH("S-chord-a", "t = (-p.v +- sqrt(r^2 - m^2)) / v.v",
                     "v.v is the squared length of v. Half the chord is a plain length: divide it "
                     "by |v|.",
                     "the right outlines, but spheres too flat or too deep", foot_of(p, v),
@@ -576,13 +576,13 @@ BY_CLOSEST_APPROACH("S-foot", "closest approach at t = -p.v",
                     "the sphere.",
                     "a blank picture, or distorted spheres", -vec3_dot(p, v),
                     half_chord / vec3_length(v))
-BY_CLOSEST_APPROACH("S-square", "half chord = r - l",
-                    "the radius, l and half the chord are the sides of a right-angled triangle, so "
+BY_CLOSEST_APPROACH("S-square", "half chord = r - m",
+                    "the radius, m and half the chord are the sides of a right-angled triangle, so "
                     "the squares add up.",
                     "the right outlines, but pointed where spheres should be round", foot_of(p, v),
                     (r - l) / vec3_length(v))
 
-// ---- hit_sphere: the wrong place, or a place that is not ahead ----------------------------------
+// ---- hit_sphere: the wrong point, or a point that is not ahead ----------------------------------
 
 static double first_root_between(Roots roots, double least, double most)
 {
@@ -606,10 +606,10 @@ static double first_root_above(Roots roots, double least)
     }
 
 OF_HITS("R6", "the far root",
-        "the ray arrives at the near place first, and the sphere hides the far one.",
+        "the ray arrives at the near point first, and the sphere hides the far one.",
         "the inside of every sphere", roots.count > 0 && roots.t[1] > 0 ? roots.t[1] : NO_HIT)
 OF_HITS("R7", "t[0], even if it is not above 0",
-        "places with t < 0 are behind the eye, and it cannot see them.",
+        "points with t < 0 are behind the eye, and it cannot see them.",
         "ghosts of objects behind the eye", roots.count > 0 ? roots.t[0] : NO_HIT)
 OF_HITS("R7-far", "t[0] if it is above 0, else t[1]",
         "t[1] may also be behind the eye, if the whole sphere is behind it.",
@@ -618,7 +618,7 @@ OF_HITS("R7-far", "t[0] if it is above 0, else t[1]",
         : roots.t[0] > 0 ? roots.t[0]
                          : roots.t[1])
 OF_HITS("R8", "a miss if t[0] is not above 0",
-        "from inside the sphere only the entry is behind the eye. The place where the ray leaves "
+        "from inside the sphere only the entry is behind the eye. The point where the ray leaves "
         "is ahead.",
         "a sphere that vanishes as soon as the eye is inside",
         roots.count > 0 && roots.t[0] > 0 ? roots.t[0] : NO_HIT)
@@ -649,7 +649,7 @@ OF_HITS("T-limit-far", "only t < 1000000",
         "the eye sees at any distance: t counts in lengths of v, and with a short v everything is "
         "farther than that.",
         "very distant spheres vanish", first_root_between(roots, 0, 1e6))
-OF_HITS("T-zero", "t >= 0", "t = 0 is the eye itself, and a visible place is ahead of it.",
+OF_HITS("T-zero", "t >= 0", "t = 0 is the eye itself, and a visible point is ahead of it.",
         "the whole picture covered by a sphere that the eye just touches",
         first_root_above(roots, -1e-300))
 OF_HITS("R5-hit", "a miss if both roots are equal",
@@ -694,8 +694,8 @@ OF_T("T-none0", "0 instead of NO_HIT",
      "them.",
      "a blank picture, or only the sphere that is last in the scene", t < NO_HIT ? t : 0)
 OF_T("T-way", "t |v|",
-     "this is the distance to the place in the world. t counts in lengths of v, so that p + tv is "
-     "the place.",
+     "this is the distance to the point in the world. t counts in lengths of v, so that p + tv is "
+     "the point.",
      "the right outlines at wrong depths", vec3_length(ray.direction) * t)
 
 // All in one function, with one slip.
@@ -756,7 +756,7 @@ WRONG_LINE(sphere_roots, "X-stable", "stable roots of the slide's a, b, c",
            "speckled or missing spheres, ten million radii away",
            return quadratic_roots(equation(ray, sphere)))
 // Measured from the foot of the perpendicular, but squares leave the range of a double.
-BY_CLOSEST_APPROACH("X-scale", "t = -p.v / v.v +- sqrt(r^2 - l^2) / |v|",
+BY_CLOSEST_APPROACH("X-scale", "t = -p.v / v.v +- sqrt(r^2 - m^2) / |v|",
                     "right, and good for distant spheres. But squares of the largest and smallest "
                     "numbers leave the range of a double.",
                     "no visible difference in any scene that can be drawn", foot_of(p, v),

@@ -552,7 +552,7 @@ BOTH_AS("P4", "P4-object", "row and column swapped",
 BOTH_AS("P7", "P7-object", "rays from the world's origin", "rays start at the eye.",
         "moving the camera changes nothing", .ray_of = from_the_worlds_origin)
 BOTH("N3", "divided by width - 1 and height - 1",
-     "w pixels are w steps wide, and the ray goes through the centre of its pixel: use pixel_ray.",
+     "W pixels are W steps wide, and the ray goes through the centre of its pixel: use pixel_ray.",
      "slightly too large; nothing in an image of one row or one column",
      .ray_of = through_width_less_1)
 BOTH("height-shape", "the height of the image plane from the image's shape",
@@ -605,10 +605,10 @@ IMAGE_ORDER("I-column0", "column 0 not painted", "columns are counted from 0.",
 IMAGE_ORDER("I-row0", "row 0 not painted", "rows are counted from 0.", "a stripe at the upper edge",
             .left_out = in_first_row)
 IMAGE_ORDER("I-column", "the last column not painted",
-            "counted from 0, the last of w columns is number w - 1, and it must be painted.",
+            "counted from 0, the last of W columns is number W - 1, and it must be painted.",
             "a stripe at the right edge", .left_out = in_last_column)
 IMAGE_ORDER("I-row", "the last row not painted",
-            "counted from 0, the last of h rows is number h - 1, and it must be painted.",
+            "counted from 0, the last of H rows is number H - 1, and it must be painted.",
             "a stripe at the lower edge", .left_out = in_last_row)
 IMAGE_ORDER("I-last", "the last hit of the list",
             "the distance decides which sphere covers another, not the order of the scene.",
@@ -663,7 +663,7 @@ WRONG(cast_image_order, "I-kept", "the colour of the last hit if nothing is hit"
 }
 
 WRONG(cast_image_order, "I-pixel", "the last pixel not painted",
-      "the w * h pixels have the numbers 0 to w * h - 1, and the last one must be painted.",
+      "the W * H pixels have the numbers 0 to W * H - 1, and the last one must be painted.",
       "a dot in the lower right corner")
 {
     Resolution size = image->size;
@@ -756,10 +756,10 @@ OBJECT_ORDER("O-last", "the last sphere left out",
 OBJECT_ORDER("O-only", "sphere 0 alone", "every sphere of the scene must be tested.",
              "one sphere only", .most_spheres = 1)
 OBJECT_ORDER("O-row", "no sphere in the last row",
-             "counted from 0, the last of h rows is number h - 1, and it must be painted.",
+             "counted from 0, the last of H rows is number H - 1, and it must be painted.",
              "a stripe of background at the lower edge", .left_out = in_last_row)
 OBJECT_ORDER("O-column", "no sphere in the last column",
-             "counted from 0, the last of w columns is number w - 1, and it must be painted.",
+             "counted from 0, the last of W columns is number W - 1, and it must be painted.",
              "a stripe of background at the right edge", .left_out = in_last_column)
 
 // ---- object order: the depths -------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // wrong.c - wrong answers to exercise 07.
 //
-// In formulas and in code n is the normal, l the direction to the light, e the one to the eye and v
-// that of a ray; c is a centre, a colour or one of its numbers, r a radius, p a point.
+// The letters of formulas are those of the lesson. In code c is a centre, a colour or one of its
+// numbers.
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
@@ -254,10 +254,10 @@ AXIS_ROW(z, 1, 1, -1)
 AMBIENT("AM-kd", "surface * ambient", "only kd of the light is scattered.",
         "everything in shadow too bright", return surface * ambient)
 AMBIENT("AM-kd-twice", "kd^2 * surface * ambient",
-        "kd is the share that is scattered: multiply by it once.", "everything in shadow too dark",
-        return kd * kd * surface * ambient)
+        "kd is the fraction that is scattered: multiply by it once.",
+        "everything in shadow too dark", return kd * kd * surface * ambient)
 AMBIENT("AM-kd-less-1", "(1 - kd) * surface * ambient",
-        "kd is the share that is scattered, not the rest.",
+        "kd is the fraction that is scattered, not the rest.",
         "bright surfaces dark in the shadow, and dark ones bright",
         return (1 - kd) * surface * ambient)
 AMBIENT("AM-surface", "kd * ambient",
@@ -280,8 +280,8 @@ AMBIENT(
     "colours add up when two lights come together. A surface multiplies the light by its colour.",
     "pale shadows", return kd * surface + ambient)
 AMBIENT("AM-plus-all", "kd + surface + ambient",
-        "multiply by a share, and by the colour of the surface as well.", "nearly white spheres",
-        return kd + surface + ambient)
+        "multiply by the fraction, and by the colour of the surface as well.",
+        "nearly white spheres", return kd + surface + ambient)
 AMBIENT("AM-mixed", "kd * surface + (1 - kd) * ambient",
         "this is a mixture of two colours. A surface multiplies the light by its own colour.",
         "pale shadows", return kd * surface + (1 - kd) * ambient)
@@ -303,7 +303,7 @@ AMBIENT("AM-clip", "no more than 1", "light is clamped once, at the end, by clam
         "no visible difference at first; sums of bright lights come out too dark",
         return at_most_1(kd * surface * ambient))
 AMBIENT("AM-pi", "kd * surface * ambient / pi",
-        "some books divide by pi, with another definition of kd. Here kd is the whole share.",
+        "some books divide by pi, with another definition of kd. Here kd is the whole factor.",
         "everything in shadow too dark", return kd * surface * ambient / PI)
 
 // cosine is the right one, raw is below 0 if the light is behind; color both colours.
@@ -338,9 +338,9 @@ DIFFUSE("DI-min", "min(0, n.l)",
         "a black picture except for the ambient light", return kd * fmin(0, raw) * color)
 DIFFUSE("DI-kd", "kd left out", "only kd of the light is scattered.", "spheres too bright",
         return cosine * color)
-DIFFUSE("DI-kd-twice", "kd^2", "kd is the share that is scattered: multiply by it once.",
+DIFFUSE("DI-kd-twice", "kd^2", "kd is the fraction that is scattered: multiply by it once.",
         "spheres too dark", return kd * kd * cosine * color)
-DIFFUSE("DI-kd-less-1", "1 - kd", "kd is the share that is scattered, not the rest.",
+DIFFUSE("DI-kd-less-1", "1 - kd", "kd is the fraction that is scattered, not the rest.",
         "bright surfaces dark, and dark ones bright", return (1 - kd) * cosine * color)
 DIFFUSE("DI-surface", "kd * light * max(0, n.l)",
         "a red surface reflects only red light: its colour is missing.",
@@ -359,7 +359,7 @@ DIFFUSE(
     "colours add up when two lights come together. A surface multiplies the light by its colour.",
     "pale spheres", return kd * cosine * (surface + light))
 DIFFUSE("DI-plus-cosine", "kd * surface * light + cosine",
-        "the cosine is the share of the light that arrives: multiply by it.",
+        "the cosine is the fraction of the light that arrives: multiply by it.",
         "pale spheres with large white areas", return kd * color + cosine)
 DIFFUSE("DI-dot", "surface . light",
         "a dot product adds up the three colours to one number. Red stays with red: * multiplies "
@@ -377,7 +377,7 @@ DIFFUSE("DI-clip", "no more than 1", "light is clamped once, at the end, by clam
         "no visible difference at first; sums of bright lights come out too dark",
         return at_most_1(kd * cosine * color))
 DIFFUSE("DI-pi", "divided by pi",
-        "some books divide by pi, with another definition of kd. Here kd is the whole share.",
+        "some books divide by pi, with another definition of kd. Here kd is the whole factor.",
         "spheres too dark", return kd * cosine * color / PI)
 DIFFUSE("DI-far", "divided by |l|^2",
         "real lamps fade with the distance, but these do not: only the direction counts.",
@@ -397,10 +397,11 @@ DIFFUSE("DI-sine", "the sine of the angle",
 DIFFUSE("DI-angle", "the angle itself",
         "n.l with unit vectors is the cosine already: use it, not the angle.",
         "spheres lit on the far side", return kd * acos(fmax(-1, fmin(1, raw))) * color)
-DIFFUSE("DI-linear", "1 - angle / 90 degrees",
-        "the light on a tilted surface is the cosine of the angle, not a linear share of it.",
-        "spheres that look like cones",
-        return kd * fmax(0, 1 - acos(fmax(-1, fmin(1, raw))) / (PI / 2)) * color)
+DIFFUSE(
+    "DI-linear", "1 - angle / 90 degrees",
+    "the light on a tilted surface is proportional to the cosine of the angle, not to the angle.",
+    "spheres that look like cones",
+    return kd * fmax(0, 1 - acos(fmax(-1, fmin(1, raw))) / (PI / 2)) * color)
 DIFFUSE("DI-half", "(n.l + 1) / 2",
         "this light reaches around the surface, a trick of games. Lambert's law is the cosine, and "
         "nothing behind the surface.",
@@ -490,15 +491,15 @@ static double mirrored_cosine(vec3 n, vec3 l, vec3 e)
          return ks * pow(fabs(h.cosine), shine) * light)                                           \
     SLIP(which "-ks", "ks left out", "only ks of the light is reflected like this.",               \
          "highlights too bright", h.ks = 1)                                                        \
-    SLIP(which "-ks-twice", "ks^2", "ks is a share: multiply by it once.", "highlights too dark",  \
+    SLIP(which "-ks-twice", "ks^2", "ks is a fraction: multiply by it once.", "highlights too dark",  \
          h.ks *= ks)                                                                               \
-    SLIP(which "-ks-less-1", "1 - ks", "ks is the share that is reflected, not the rest.",         \
+    SLIP(which "-ks-less-1", "1 - ks", "ks is the fraction that is reflected, not the rest.",         \
          "dull surfaces with bright highlights, and polished ones without", h.ks = 1 - ks)         \
     SLIP(which "-light", "the light left out",                                                     \
          "a highlight is an image of the light and has its colour.",                               \
          "white highlights, whatever the light", h.light = grey(1))                                \
     SLIP(which "-plus", "power + light",                                                           \
-         "the power is the share of the light that is seen: multiply the light by it.",            \
+         "the power is the fraction of the light that is seen: multiply the light by it.",            \
          "highlights as large as half of the sphere",                                              \
          return power(h) > 0 ? ks * (grey(power(h)) + light) : grey(0))                            \
     SLIP(which "-grey", "the mean of the light",                                                   \
@@ -693,42 +694,42 @@ BOTH("1e-6", "nothing if n.l is below 1e-6",
         return color;                                                                              \
     }
 
-EACH("S7", "c unchanged", "a number above 1 or below 0 does not fit into a pixel.",
+EACH("S7", "I unchanged", "a number above 1 or below 0 does not fit into a pixel.",
      "speckles of wrong colours in the brightest spots", c)
-EACH("S7-above", "min(1, c)", "a number below 0 does not fit into a pixel either.",
+EACH("S7-above", "min(1, I)", "a number below 0 does not fit into a pixel either.",
      "speckles of wrong colours in the darkest spots", fmin(1, c))
-EACH("S7-below", "max(0, c)", "a number above 1 does not fit into a pixel either.",
+EACH("S7-below", "max(0, I)", "a number above 1 does not fit into a pixel either.",
      "speckles of wrong colours in the brightest spots", fmax(0, c))
-EACH("CL-0", "0, whatever c is",
-     "min(0, max(1, c)) gives this, for example. 'At least 0' is max(0, ...), 'at most 1' is "
+EACH("CL-0", "0, whatever I is",
+     "min(0, max(1, I)) gives this, for example. 'At least 0' is max(0, ...), 'at most 1' is "
      "min(1, ...).",
      "a black picture", fmin(0, fmax(1, c)))
-EACH("CL-1", "1, whatever c is",
-     "max(1, min(0, c)) gives this, for example. 'At least 0' is max(0, ...), 'at most 1' is "
+EACH("CL-1", "1, whatever I is",
+     "max(1, min(0, I)) gives this, for example. 'At least 0' is max(0, ...), 'at most 1' is "
      "min(1, ...).",
      "a white picture", fmax(1, fmin(0, c)))
-EACH("CL-wrap", "c - floor(c)", "a number a little above 1 starts again at 0.",
+EACH("CL-wrap", "I - floor(I)", "a number a little above 1 starts again at 0.",
      "dark speckles in the brightest spots", c - floor(c))
-EACH("CL-wrap-above", "c - floor(c) above 1", "a number a little above 1 starts again at 0.",
+EACH("CL-wrap-above", "I - floor(I) above 1", "a number a little above 1 starts again at 0.",
      "dark speckles in the brightest spots", c > 1 ? c - floor(c) : fmax(0, c))
-EACH("CL-black", "0 if c does not fit", "a number that is too bright is nearest to 1, not to 0.",
+EACH("CL-black", "0 if I does not fit", "a number that is too bright is nearest to 1, not to 0.",
      "black holes in the brightest spots", c<0 || c> 1 ? 0 : c)
-EACH("CL-white", "1 if c does not fit", "a number below 0 is nearest to 0, not to 1.",
+EACH("CL-white", "1 if I does not fit", "a number below 0 is nearest to 0, not to 1.",
      "white speckles in the darkest spots", c<0 || c> 1 ? 1 : c)
-EACH("CL-abs", "min(1, |c|)", "a negative amount of light is nearest to 0: |c| makes light of it.",
+EACH("CL-abs", "min(1, |I|)", "a negative number is nearest to 0, not to the positive one.",
      "bright speckles in the darkest spots", fmin(1, fabs(c)))
 EACH("CL-255", "at most 255", "colours go from 0 to 1 here; the image converts them to bytes.",
      "speckles of wrong colours in the brightest spots", fmin(255, fmax(0, c)))
-EACH("CL-255-times", "255 c", "colours go from 0 to 1 here; the image converts them to bytes.",
+EACH("CL-255-times", "255 I", "colours go from 0 to 1 here; the image converts them to bytes.",
      "everything that is not black is too bright", 255 * right)
 EACH("CL-minus", "at least -1", "colours start at 0; cosines start at -1.",
      "speckles of wrong colours in the darkest spots", fmin(1, fmax(-1, c)))
 EACH("CL-round", "0 or 1, whichever is nearer", "a number in between fits, and must not change.",
      "a poster of eight colours", c < 0.5 ? 0 : 1)
-EACH("CL-compress", "c / (1 + c)",
+EACH("CL-compress", "I / (1 + I)",
      "this also changes colours that fit. A number between 0 and 1 must not change.",
      "a dull picture", fmax(0, c) / (1 + fmax(0, c)))
-EACH("CL-expose", "1 - e^-c",
+EACH("CL-expose", "1 - exp(-I)",
      "this also changes colours that fit. A number between 0 and 1 must not change.",
      "a dull picture", 1 - exp(-fmax(0, c)))
 CLAMPED("CL-scale", "divided by the largest, if that is above 1",
@@ -773,28 +774,28 @@ static double srgb(double c)
         return color;                                                                              \
     }
 
-GAMMA("GA-wrong-way", "c^gamma",
+GAMMA("GA-wrong-way", "I^gamma",
       "that is what the display does. To make up for it, the power is 1 / gamma.",
       "everything too dark", pow(c, gamma))
-GAMMA("GA-times", "gamma c", "gamma is a power, not a factor.",
+GAMMA("GA-times", "gamma I", "gamma is a power, not a factor.",
       "everything too bright, with white areas", (c * gamma))
-GAMMA("GA-through", "c / gamma", "gamma is a power, not a factor.", "everything too dark",
+GAMMA("GA-through", "I / gamma", "gamma is a power, not a factor.", "everything too dark",
       c / gamma)
-GAMMA("GA-2.2", "c^(1 / 2.2), whatever gamma",
+GAMMA("GA-2.2", "I^(1 / 2.2), whatever gamma",
       "most displays have 2.2, but gamma is an argument: use it.",
       "the same picture, whatever the gamma", pow(c, 1 / 2.2))
-GAMMA("GA-2", "sqrt(c), whatever gamma",
+GAMMA("GA-2", "sqrt(I), whatever gamma",
       "this is right for a gamma of 2, but gamma is an argument: use it.",
       "the same picture, whatever the gamma", sqrt(c))
-GAMMA("GA-none", "c unchanged", "this is right only for a gamma of 1.",
+GAMMA("GA-none", "I unchanged", "this is right only for a gamma of 1.",
       "everything too dark, as without gamma", c)
-GAMMA("GA-minus", "c^(-gamma)",
+GAMMA("GA-minus", "I^(-gamma)",
       "a negative power is 1 divided by that power. The inverse of a power is the root: 1 / gamma.",
       "a white picture", pow(c, -gamma))
-GAMMA("GA-swapped", "(1 / gamma)^c",
+GAMMA("GA-swapped", "(1 / gamma)^I",
       "the first argument of pow is the base, the second the exponent.",
       "a negative, pale and grey", pow(1 / gamma, c))
-GAMMA("GA-swapped-too", "gamma^c",
+GAMMA("GA-swapped-too", "gamma^I",
       "the first argument of pow is the base, the second the exponent; and the exponent is 1 / "
       "gamma.",
       "a white picture", pow(gamma, c))
@@ -808,17 +809,17 @@ GAMMA("GA-twice", "encoded twice", "the display undoes it only once.", "a pale p
 GAMMA("GA-srgb", "the curve of sRGB, whatever gamma",
       "this is close to a gamma of 2.2, but gamma is an argument: use it.",
       "the same picture, whatever the gamma", srgb(c))
-GAMMA("GA-inverted", "1 - c^(1 / gamma)", "black stays black, and white stays white.", "a negative",
+GAMMA("GA-inverted", "1 - I^(1 / gamma)", "black stays black, and white stays white.", "a negative",
       1 - right)
-GAMMA("GA-turned", "1 - (1 - c)^gamma",
-      "this is brighter as well, but the display does not undo it. It undoes c^(1 / gamma).",
+GAMMA("GA-turned", "1 - (1 - I)^gamma",
+      "this is brighter as well, but the display does not undo it. It undoes I^(1 / gamma).",
       "bright parts too bright", 1 - pow(1 - c, gamma))
-GAMMA("GA-255", "255 c^(1 / gamma)",
+GAMMA("GA-255", "255 I^(1 / gamma)",
       "colours go from 0 to 1 here; the image converts them to bytes.",
       "everything that is not black is too bright", 255 * right)
-GAMMA("GA-255-in", "(c / 255)^(1 / gamma)", "colours already go from 0 to 1.",
+GAMMA("GA-255-in", "(I / 255)^(1 / gamma)", "colours already go from 0 to 1.",
       "a picture far too dark", pow(c / 255, 1 / gamma))
-GAMMA("GA-255-both", "255 (c / 255)^(1 / gamma)", "colours already go from 0 to 1.",
+GAMMA("GA-255-both", "255 (I / 255)^(1 / gamma)", "colours already go from 0 to 1.",
       "everything that is not black is too bright", 255 * pow(c / 255, 1 / gamma))
 GAMMA("GA-red", "only red encoded", "the display does the same to all three.", "a reddish picture",
       i == 0 ? right : c)
@@ -865,7 +866,7 @@ CLAMPED("CL-black-below", "all black if one is below 0",
 
 // ---- wrong steps off a surface ------------------------------------------------------------------
 
-// In formulas s is the size, e a step of 2^-30.
+// s is the size of the numbers, e the fraction of it.
 #define OFF(id, formula, why, picture, answer)                                                     \
     WRONG(offset_from_surface, id, formula, why, picture)                                          \
     {                                                                                              \
@@ -882,59 +883,59 @@ OFF("O-none", "p",
     "rounding leaves p on either side of its surface. From the wrong side a ray hits the surface "
     "that it starts from.",
     "black speckles on all lit surfaces", p)
-OFF("O-other", "p - e s n",
+OFF("O-other", "p - 2^-30 size n",
     "the point must go to the side of the normal; on the other side it is below its own surface.",
     "everything in its own shadow", p - e * s * n)
-OFF("O-outward", "p + e s (p - c) / |p - c|",
+OFF("O-outward", "p + 2^-30 size (p - c) / |p - c|",
     "this is always outward. Seen from inside, the given normal points inward, and the point must "
     "go there.",
     "right outside; hollow spheres dark inside", p + e * s * vec3_unit(p - c))
-OFF("O-inward", "p - e s (p - c) / |p - c|",
+OFF("O-inward", "p - 2^-30 size (p - c) / |p - c|",
     "this is always inward. The normal gives the side; mostly it is outward.",
     "everything in its own shadow, except hollow spheres", p - e * s * vec3_unit(p - c))
-OFF("O-plus", "p + e s",
+OFF("O-plus", "p + 2^-30 size",
     "adding a number to a vector adds it to each coordinate. Multiply the normal by it, and add "
     "that.",
     "speckles on half of every sphere", p + e * s)
-OFF("O-centre", "c + (r + e s) n",
+OFF("O-centre", "c + (r + 2^-30 size) n",
     "if the normal points inward, this is a point on the opposite side of the sphere.",
     "right outside; hollow spheres dark inside", c + (r + e * s) * n)
-OFF("O-step", "e s n", "this is only the step: start at p and add it.",
+OFF("O-step", "2^-30 size n", "this is only the step: start at p and add it.",
     "shadows and mirrors as if everything were at the origin of the world", (e * s) * n)
-OFF("O-radius", "p + e r n",
+OFF("O-radius", "p + 2^-30 r n",
     "far from the origin of the world numbers are coarse, even on a small sphere: include the "
     "coordinates of the centre.",
     "speckles on small spheres that are far away from the origin", p + e * r * n)
-OFF("O-coordinate", "p + e max(|cx|, |cy|, |cz|) n",
+OFF("O-coordinate", "p + 2^-30 max(|cx|, |cy|, |cz|) n",
     "near the origin of the world that is almost 0. Include the radius.",
     "speckles on spheres around the origin", p + e * largest_coordinate(c) * n)
-OFF("O-point", "p + e max(|px|, |py|, |pz|) n",
+OFF("O-point", "p + 2^-30 max(|px|, |py|, |pz|) n",
     "near the origin of the world that is almost 0, but p was computed from large numbers: radius "
     "and centre.",
     "speckles where a large sphere passes near the origin", p + e * largest_coordinate(p) * n)
-OFF("O-x", "p + e (r + |cx|) n", "the largest of the three coordinates counts, x, y or z.",
+OFF("O-x", "p + 2^-30 (r + |cx|) n", "the largest of the three coordinates counts, x, y or z.",
     "speckles on spheres that are far up or far ahead", p + e * (r + fabs(c[0])) * n)
-OFF("O-sign", "p + e (r + max(cx, cy, cz)) n",
+OFF("O-sign", "p + 2^-30 (r + max(cx, cy, cz)) n",
     "-1000 is as large and as coarse as 1000: use absolute values.",
     "speckles on spheres with negative coordinates", p + e * (r + largest(c)) * n)
-OFF("O-sum", "p + e (r + cx + cy + cz) n",
+OFF("O-sum", "p + 2^-30 (r + cx + cy + cz) n",
     "negative coordinates cancel the others. The largest absolute value counts.",
     "speckles here and there, depending on where a sphere is", p + e * (r + c[0] + c[1] + c[2]) * n)
-OFF("O-square", "p + e s^2 n",
+OFF("O-square", "p + 2^-30 size^2 n",
     "in a scene of twice the size, the step must be twice as long, not four times.",
     "speckles in small scenes; in large ones shadows that start too late", p + e * s * s * n)
-OFF("O-1e-3s", "p + 1e-3 s n",
+OFF("O-1e-3s", "p + 1e-3 size n",
     "this step is so long that it jumps over objects close to the surface.",
     "light under objects on a surface", p + 1e-3 * s * n)
-OFF("O-1e-5s", "p + 1e-5 s n",
+OFF("O-1e-5s", "p + 1e-5 size n",
     "doubles have 16 digits: a smaller step is enough, and objects close to the surface still cast "
     "their shadows.",
     "light under small objects on a surface", p + 1e-5 * s * n)
-OFF("O-1e-6s", "p + 1e-6 s n",
+OFF("O-1e-6s", "p + 1e-6 size n",
     "doubles have 16 digits: 1e-9 is enough, and objects close to the surface still cast their "
     "shadows.",
     "hardly anything; an edge of light under very small objects", p + 1e-6 * s * n)
-OFF("O-float", "p + 2^-23 s n", "this is the precision of a float. A double is much finer.",
+OFF("O-float", "p + 2^-23 size n", "this is the precision of a float. A double is much finer.",
     "hardly anything; an edge of light under very small objects", p + 0x1p-23 * s * n)
 OFF("O-1", "p + n",
     "the normal has length 1, and that may be more than the whole sphere: only a tiny part of it "
@@ -992,7 +993,7 @@ static bool is_free_of_roots(const Scene *scene, int which, Ray ray, double leas
     return true;
 }
 
-// In formulas l is the position of the light; ray is the right one to it, and reach the t at which
+// l is the position of the light; ray is the right one to it, and reach the t at which
 // the light is. The result is the last expression.
 #define SHADOW(id, formula, why, picture, ...)                                                     \
     WRONG(visibility, id, formula, why, picture)                                                   \
@@ -1017,31 +1018,31 @@ SHADOW("V-unit", "hits with t < 1, of a direction of length 1",
        "at t = 1.",
        "shadows of objects behind the lamp, or hardly any",
        is_free(scene, (Ray){from, vec3_unit(v)}, 0, reach))
-SHADOW("V-distance", "hits with t < |l - p|",
+SHADOW("V-distance", "hits with t < |position - from|",
        "t counts in lengths of the direction, which is as long as the distance of the light: it is "
        "at t = 1.",
        "shadows of objects behind the lamp", is_free(scene, ray, 0, vec3_length(v)))
 SHADOW("V-reversed", "the ray away from the light",
-       "from the point to the light it is l - p, and a sphere on the other side of the point is "
-       "not in the way.",
+       "from the point to the light it is position - from, and a sphere on the other side of the "
+       "point is not in the way.",
        "shadows on the wrong side", is_free(scene, (Ray){from, -v}, 0, reach))
-SHADOW("V-minus", "direction l, even of a point light",
-       "l is a point. The vector to it from p is l - p.",
+SHADOW("V-minus", "position as direction, even of a point light",
+       "position is a point here. The vector to it is position - from.",
        "shadows in one direction, as in the sun, and at wrong places",
        is_free(scene, (Ray){from, l}, 0, reach))
-SHADOW("V-always-minus", "direction l - p, even of a distant light",
-       "a distant light is in the same direction from everywhere: l is that direction.",
+SHADOW("V-always-minus", "position - from, even of a distant light",
+       "a distant light is in the same direction from everywhere: position is that direction.",
        "shadows in the sun that spread as from a lamp",
        is_free(scene, (Ray){from, l - from}, 0, reach))
 SHADOW("V-lamp", "a distant light like a point light",
-       "a distant light has no place: l is its direction, and nothing is behind the light.",
+       "a distant light has no place: position is its direction, and nothing is behind the light.",
        "shadows in the sun that spread as from a lamp", is_free(scene, (Ray){from, l - from}, 0, 1))
 SHADOW("V-origin", "the ray from the world's origin",
-       "test visibility from p: does the light arrive there?", "everything dark or everything lit",
-       is_free(scene, (Ray){vec3_of(0, 0, 0), l}, 0, reach))
-SHADOW("V-swapped", "origin l, direction p",
-       "a ray needs a point to start from, p, and a direction, l - p.", "shadows in random places",
-       is_free(scene, (Ray){l, from}, 0, reach))
+       "test visibility from the given point: does the light arrive there?",
+       "everything dark or everything lit", is_free(scene, (Ray){vec3_of(0, 0, 0), l}, 0, reach))
+SHADOW("V-swapped", "position as origin, from as direction",
+       "a ray needs a point to start from, and a direction: position - from.",
+       "shadows in random places", is_free(scene, (Ray){l, from}, 0, reach))
 SHADOW("V-through", "any hit of the ray from the light",
        "a hit behind the point is not between the two: 0 < t < 1 only.",
        "surfaces with an object behind them are dark as well",
@@ -1049,7 +1050,8 @@ SHADOW("V-through", "any hit of the ray from the light",
 
 #define SHADOW_FROM(number, digits, objects)                                                       \
     SHADOW("V-" #number, "hits with t > " digits,                                                  \
-           "a sphere close to the surface also casts a shadow. p is off its surface already: t > " \
+           "a sphere close to the surface also casts a shadow. The point is off its surface "      \
+           "already: t > "                                                                         \
            "0.",                                                                                   \
            "light under " objects " on a surface", is_free(scene, ray, number, reach))
 #define SHADOW_BEFORE(number)                                                                      \
@@ -1114,7 +1116,7 @@ WRONG(visibility, "V-centre", "hits of spheres whose centre is nearer than the l
 }
 
 SHADOW("V-inverted", "1 in the shadow, 0 in the light",
-       "the return value is the share of the light that arrives: 0 if a sphere is in between.",
+       "the return value is the fraction of the light that arrives: 0 if a sphere is in between.",
        "light only where shadows should be", hiding > 0)
 SHADOW("V-1", "1", "spheres in between hide the light.", "no shadows", 1)
 SHADOW("V-0", "0", "if no sphere is in between, all of the light arrives.", "no light at all", 0)
@@ -1343,12 +1345,12 @@ AT("S-eye", "the ray's direction as direction to the eye",
    "the ray comes from the eye. The direction to the eye is the opposite, -v.",
    "highlights only at edges, opposite the light", p.to_eye = ray.direction)
 AT("S-eye-place", "the ray's origin as direction to the eye",
-   "this is a point. The vector from the hit to it is -v, or o - p.", "highlights at wrong places",
-   p.to_eye = ray.origin)
+   "this is a point. The vector from the hit to it is -v, or origin - p.",
+   "highlights at wrong places", p.to_eye = ray.origin)
 AT("S-eye-origin", "-p as direction to the eye",
    "this is the direction to the origin of the world; the eye is where the ray starts.",
    "highlights at wrong places, unless the eye is at the origin", p.to_eye = -p.point)
-AT("S-t", "o + t v / |v|", "t counts in lengths of v, unchanged: o + t v.",
+AT("S-t", "origin + t v / |v|", "t counts in lengths of v, unchanged: origin + t v.",
    "right only for rays of length 1",
    p = place_of(scene, (Ray){ray.origin, vec3_unit(ray.direction)}, hit))
 AT("S-from-eye", "visibility from the eye",
@@ -1364,7 +1366,7 @@ AT("S-outside", "inside, the normal reversed for only one of the two",
    "its own light.",
    "hollow spheres dark inside",
    p.start = offset_from_surface(p.sphere, p.point, surface_normal(p.sphere, p.point)))
-AT("S-back", "visibility from o + (1 - 1e-9) t v",
+AT("S-back", "visibility from origin + (1 - 1e-9) t v",
    "this step depends on the distance of the eye. The precision of the numbers depends on the "
    "sphere: offset_from_surface.",
    "speckles on objects close to the eye; lost shadows far away",
@@ -1463,8 +1465,8 @@ EACH_LIGHT("L-clamp", "each light at most 1",
            "no visible difference, except for bright lights in mirrors",
            sum += at_most_1(both_of(l));
            continue)
-EACH_LIGHT("L-distant", "l as direction to a light, not l - p",
-           "only a distant light is a direction; the vector to a point light is l - p. "
+EACH_LIGHT("L-distant", "position as direction to a light, not position - p",
+           "only a distant light is a direction; the vector to a point light is position - p. "
            "ray_to_light does this.",
            "light as if of the sun, from a wrong direction", l.to_light += l.point)
 
@@ -1678,7 +1680,7 @@ MIRROR(AIMS, "T-outside", "the mirrored ray from outside, even from inside a sph
        "hollow mirrors show the scene outside",
        look->mirrored.origin = offset_from_surface(look->p.sphere, look->p.point,
                                                    surface_normal(look->p.sphere, look->p.point)))
-MIRROR(AIMS, "T-along", "the mirrored ray from o + (1 - 1e-9) t v",
+MIRROR(AIMS, "T-along", "the mirrored ray from origin + (1 - 1e-9) t v",
        "this step depends on the distance of the eye. The precision of the numbers depends on the "
        "sphere: offset_from_surface.",
        "speckles in mirrors that are close to the eye or far from the origin",

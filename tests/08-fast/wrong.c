@@ -141,7 +141,8 @@ TANGENT("R-half", "/ (2 g)",
         "the 2 of 2 x z m and the 2 of the formula cancel. Divided by 2 g, everything is halved.",
         "only a part of each sphere, towards the middle of the picture", m / 2)
 TANGENT("R-sign", "-x z -+ r sqrt(x^2 + g)",
-        "the linear coefficient is -2 x z, and the formula has -b, so x z is positive.",
+        "the linear coefficient is -2 x z, and the formula for the roots negates it, so x z is "
+        "positive.",
         "only spheres in the middle, because the rectangles are on the opposite side",
         -tangent(z, x, r, g, -side))
 TANGENT("R-diameter", "2 r instead of r",
@@ -152,8 +153,8 @@ TANGENT("R-square", "g = z^2 - r", "the radius is squared: r^2.",
         "right if the radius is 1; if not, cut off or too large",
         tangent(z, x, r, (z * z - r), side))
 // Angles in space, where each axis has an angle of its own.
-TANGENT("R-space", "asin(r / |c|)",
-        "in this direction only x and z count. |c| includes how far up the sphere is.",
+TANGENT("R-space", "asin(r / |C|)",
+        "in this direction only x and z count. |C| includes how far up the sphere is.",
         "spheres near the corners are cut off", tan(atan2(x, z) + side * asin(r / away)))
 TANGENT("R-atan", "atan(r / sqrt(x^2 + z^2))",
         "eye, centre and the point that the tangent touches are a triangle with the right angle at "
@@ -179,12 +180,12 @@ WRONG(sphere_rectangle, "R-world", "x, y, z of the world",
         return with_view(camera, screen, view_of(camera, sphere));                                 \
     }
 
-WITH_VIEW("R-eye", "c instead of c - p",
-          "the eye is not at the origin of the world. Seen from the eye, the centre is at c - p.",
+WITH_VIEW("R-eye", "C instead of C - p",
+          "the eye is not at the origin of the world. Seen from the eye, the centre is at C - p.",
           "rectangles beside their spheres, so parts of the spheres are missing",
           camera.origin = vec3_of(0, 0, 0))
-WITH_VIEW("R-back", "p - c instead of c - p",
-          "the vector from the eye to the centre is c - p. This one has the opposite direction.",
+WITH_VIEW("R-back", "p - C instead of C - p",
+          "the vector from the eye to the centre is C - p. This one has the opposite direction.",
           "nothing, because each sphere in front is now behind the eye",
           sphere.center = 2 * camera.origin - sphere.center)
 
@@ -214,8 +215,8 @@ OF_VIEW("R-plane", "z - d instead of z",
         return cut_off(s, screen);                                                                 \
     }
 
-OF_UNCUT("R-far", "|c| instead of z",
-         "the distance ahead is measured along forward. |c| is the distance to the centre.",
+OF_UNCUT("R-far", "|C| instead of z",
+         "the distance ahead is measured along forward. |C| is the distance to the centre.",
          "spheres at the side are cut off",
          v.ahead = sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead);
          s = on_screen(camera, screen, outline_of(v)))
@@ -267,7 +268,7 @@ OF_RECTANGLE("R-below", "H - y", "y starts at the top of the screen.",
              return (ScreenRectangle){s.left, s.right, screen.height - s.top,
                                       screen.height - s.bottom})
 OF_RECTANGLE("R-normal", "s, t instead of x, y",
-             "these are shares of the screen, from 0 to 1. Screen points are in pixels.",
+             "these are fractions of the screen, from 0 to 1. Screen points are in pixels.",
              "one pixel in the upper left corner",
              return (ScreenRectangle){s.left / screen.width, s.right / screen.width,
                                       s.top / screen.height, s.bottom / screen.height})

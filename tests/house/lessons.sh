@@ -30,6 +30,7 @@ for lesson in chapters/[0-9]*/README.md; do
     stem=$(basename "$(dirname "$lesson")")
     check "the lesson of $stem quotes its program" quotes_its_program "$stem"
     check "the links of $lesson lead somewhere" links_lead_somewhere "$lesson"
+    check "the verdicts and hints of $stem have the letters of its lesson" python3 -B tests/house/letters.py "$stem"
 done
 for source in chapters/lessons/*.md; do
     stem=$(basename "$source" .md)

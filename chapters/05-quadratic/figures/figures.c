@@ -570,9 +570,9 @@ static void parabola_data(Plot *plot, void *given)
 // ---- geometric-roots ---------------------------------------------------------------------------
 
 // The sides of two right triangles: from p to the nearest point of the line, s; from there to the
-// centre, m; and half a chord, q, of which nothing is left if the line misses the sphere.
+// centre, m; and half a chord, k, of which nothing is left if the line misses the sphere.
 typedef struct {
-    double s, m, q;
+    double s, m, k;
 } Sides;
 
 static Sides sides_of(const Section *section)
@@ -598,7 +598,7 @@ static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
 {
     plot_number_to(plot, "s", sides.s, DIGITS);
     plot_number_to(plot, "m", sides.m, DIGITS);
-    plot_number_to(plot, "q", sides.q, DIGITS);
+    plot_number_to(plot, "k", sides.k, DIGITS);
     plot_number_to(plot, "speed", vec3_length(s->ray.direction), DIGITS);
     if (!s->near)
         plot_undrawn(plot);
@@ -609,9 +609,9 @@ static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
     plot_vector(plot, "height", s->nearest, -sides.m * s->off);
     plot_line(plot, s->nearest, s->nearest, 0, 0);
     right_angle(plot, s, sides);
-    plot_vector(plot, "half_chord", s->nearest, sides.q * s->line);
+    plot_vector(plot, "half_chord", s->nearest, sides.k * s->line);
     plot_vector(plot, "spoke", s->sphere.center,
-                misses ? -s->sphere.radius * s->off : sides.m * s->off + sides.q * s->line);
+                misses ? -s->sphere.radius * s->off : sides.m * s->off + sides.k * s->line);
 }
 
 static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
@@ -628,7 +628,7 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
         {s->near && fabs(sides.s) > small ? "$s$" : "", "green", .step = 3, .block = "closest",
          .part = ANYWHERE},
         {sides.m > small ? "$m$" : "", "pink", .step = 4, .block = "height", .part = ANYWHERE},
-        {sides.q > small ? "$q$" : "", "orange", .step = 5, .block = "half_chord",
+        {sides.k > small ? "$k$" : "", "orange", .step = 5, .block = "half_chord",
          .part = ANYWHERE},
         {"$r$", "ink", .step = 5, .block = "spoke", .part = ANYWHERE},
         {touches ? "$t_0 = t_1$" : "$t_0$", root_color(plot, "t0"), .step = 5, .block = "hit0"},
@@ -640,9 +640,9 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
         {"$L = C − p$ = {l}", "ink", .step = 2},
         {"$s = L·v / |v|$ = {s}", "green", .step = 3},
         {"$m = √(L·L − s²)$ = {m}", "pink", .step = 4},
-        {misses ? "$m > r$ = {r}: no root" : "$q = √(r² − m²)$ = {q}", "orange", .step = 5},
-        {"$t_0 = (s − q) / |v|$ = {t0!}", "ink", .step = 5},
-        {"$t_1 = (s + q) / |v|$ = {t1!}", "ink", .step = 5}};
+        {misses ? "$m > r$ = {r}: no root" : "$k = √(r² − m²)$ = {k}", "orange", .step = 5},
+        {"$t_0 = (s − k) / |v|$ = {t0!}", "ink", .step = 5},
+        {"$t_1 = (s + k) / |v|$ = {t1!}", "ink", .step = 5}};
     plot_say(plot, 0, 1, words, misses ? 4 : 6);
 }
 

@@ -5,7 +5,7 @@ description = sprintf("The section through the ray and the centre C of the spher
 from p to C: %s. Its part along v has the length s = %s and ends at M, the point of the line that is nearest to C. m = %s is the distance \
 from C to M, and r is %s", l_text, s_text, m_text, r_text).( \
     roots == 0 ? ": m is larger than r, so the line misses the sphere." : touches ? ": m = r, so the line touches the sphere." : \
-    sprintf(". Half the chord is q = √(r² − m²) = %s, and the roots are (s − q)/|v| = %s and (s + q)/|v| = %s.", q_text, t0_text, t1_text))
+    sprintf(". Half the chord is k = √(r² − m²) = %s, and the roots are (s − k)/|v| = %s and (s + k)/|v| = %s.", k_text, t0_text, t1_text))
 steps = 5
 if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
 
@@ -17,7 +17,7 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     for [_=1:step >= 3 && near_p] $closest index wrong using @vector with @arrow lc rgb green title "s", \
     @step4 $height index 0 using @vector with vectors nohead lw 2 lc rgb pink title "m", \
     @step4 $corner using @point with @lines lc rgb grey title "right angle", \
-    @step5 $half_chord index 0 using @vector with vectors nohead lw 3 lc rgb orange title "q", \
+    @step5 $half_chord index 0 using @vector with vectors nohead lw 3 lc rgb orange title "k", \
     @step5 $spoke using @vector with @thin_arrow lc rgb ink title "r", \
     $center using @point with @dot lc rgb ink title "C", \
     for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
