@@ -12,6 +12,8 @@ import random
 import subprocess
 import sys
 
+from figure import dot, plus, times
+
 RAYS = 240000
 EPSILON = sys.float_info.epsilon
 # Rounding moves l by at most 2.1 eps |o - c| to first order: 1/2 by o - c, 1/2 by what is taken from it to reach the
@@ -25,22 +27,6 @@ DIGITS = 200  # of square roots, in bits behind the point
 
 chance = random.Random(2015)
 uniform, whole = chance.uniform, chance.randint
-
-
-def times(t, v):
-    return [t * x for x in v]
-
-
-def plus(v, w):
-    return [x + y for x, y in zip(v, w)]
-
-
-def minus(v, w):
-    return [x - y for x, y in zip(v, w)]
-
-
-def dot(v, w):
-    return sum(x * y for x, y in zip(v, w))
 
 
 def power_of_ten(low, high):
@@ -66,7 +52,7 @@ def aimed(radius, radii):
     """A sphere some radii away; the ray is aimed at it or a little beside it."""
     center = times(radius * 10, in_unit_ball())
     origin = plus(center, times(radii * radius, unit()))
-    way = minus(plus(center, times(1.3 * radius, in_unit_ball())), origin)
+    way = plus(plus(center, times(1.3 * radius, in_unit_ball())), origin, -1)
     return origin, times(1 / math.hypot(*way), way), center, radius
 
 
@@ -123,7 +109,7 @@ def nearly_tangent():
         origin, way, center, radius = tangent()
         return origin, way, center, radius * (1 + whole(-WIDEST_ULPS, WIDEST_ULPS) * EPSILON)
     origin, way, center, _ = aimed_from_within(uniform(0.1, 3), 9)
-    p = minus(origin, center)
+    p = plus(origin, center, -1)
     distance = math.sqrt(max(0, dot(p, p) - dot(p, way) ** 2 / dot(way, way)))
     return origin, way, center, abs(distance + uniform(-WIDEST_ULPS, WIDEST_ULPS) / 4 * EPSILON * math.hypot(*p))
 
@@ -143,7 +129,7 @@ class Exact:
     def __init__(self, origin, way, center, radius):
         lengths, self.shift = as_whole(*origin, *center, radius)
         v, speed = as_whole(*way)
-        p = minus(lengths[:3], lengths[3:6])
+        p = plus(lengths[:3], lengths[3:6], -1)
         self.a, self.half_b, self.c = dot(v, v), dot(p, v), dot(p, p) - lengths[6] ** 2
         self.d = self.half_b ** 2 - self.a * self.c
         self.scale = speed - self.shift  # of t, a power of two
@@ -178,7 +164,7 @@ class Found:
 
     def compare(self, case, count, roots, hit):
         origin, way, center, radius = case
-        exact, away = Exact(*case), math.hypot(*minus(origin, center))
+        exact, away = Exact(*case), math.hypot(*plus(origin, center, -1))
         chord = exact.chord()
         off = abs(chord) / (math.sqrt(max(0, radius * radius - chord)) + radius) / (EPSILON * away)
         doubtful = off <= DOUBTFUL

@@ -7,4 +7,4 @@ once exact 'exact arithmetic'
 needs exact 'exact arithmetic' python3
 # shellcheck disable=SC2086 # the compiler's flags are words
 $COMPILER -o "$scratch/exact" tests/proof/exact.c tests/05-quadratic/exact.c -lm || exit 1
-python3 tests/proof/exact.py "$scratch/exact"
+PYTHONPATH=tests/house/figures python3 tests/proof/exact.py "$scratch/exact"

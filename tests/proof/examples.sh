@@ -12,7 +12,7 @@ needs examples 'figures with other numbers' gnuplot python3
 examples=${EXAMPLES:-20}
 first=${FIRST_EXAMPLE:-1}
 random_example() {
-    python3 "$here/tests/proof/random_example.py" "$@"
+    PYTHONPATH=$here/tests/house/figures python3 "$here/tests/proof/random_example.py" "$@"
 }
 tree=$scratch/tree
 mkdir "$tree"

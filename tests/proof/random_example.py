@@ -13,36 +13,12 @@ import sys
 from random import Random
 from types import SimpleNamespace
 
+from figure import cross, dot, plus, times, unit
+
 SIZES = ((320, 240), (640, 480), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (512, 512), (600, 900))
 
 
 LARGEST_SIDE = 16384  # of a picture (common/image.h)
-
-
-# ---- vectors ----------------------------------------------------------------------------------------
-
-def plus(*vectors):
-    return [sum(numbers) for numbers in zip(*vectors)]
-
-
-def times(t, v):
-    return [t * x for x in v]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def minus(a, b):
-    return plus(a, times(-1, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def unit(v):
-    return times(1 / math.hypot(*v), v)
 
 
 # ---- the example ------------------------------------------------------------------------------------
@@ -100,9 +76,9 @@ def example_number(number):
         e.radius = chance.rounded(0.5, 3, 0.25)
         e.center = chance.choice(([0, 0, 0], chance.place(5, 0.5)))
         e.p = plus(e.center, chance.place(8, 0.5))
-        towards = minus(plus(e.center, chance.place(0.5 * e.radius, 0.1)), e.p)
+        towards = plus(plus(e.center, chance.place(0.5 * e.radius, 0.1)), e.p, -1)
         e.v = [rounded(x / chance.uniform(2, 6), 0.01) for x in towards]
-        ahead, length = minus(e.center, e.p), math.hypot(*e.v)
+        ahead, length = plus(e.center, e.p, -1), math.hypot(*e.v)
         if math.hypot(*ahead) >= 1.5 * e.radius and length >= 0.3 and dot(ahead, e.v) >= 0 and \
                 math.hypot(*cross(ahead, e.v)) <= 0.9 * e.radius * length:
             break
@@ -160,14 +136,14 @@ def holds(stem, before, x, digits=6, after=""):
     """A number or a vector. A last digit of 5 may be rounded up or down: both texts are given, with a tab between."""
     texts = []
     for a_little in (1 + 1e-13, 1 - 1e-13):
-        words = in_words(a_little * x, digits) if not isinstance(x, list) else \
+        words = in_words(a_little * x, digits) if not isinstance(x, (list, tuple)) else \
             f"({', '.join(in_words(a_little * each, digits) for each in x)})"
         texts.append(f"{before}{words}{after}")
     print(f"chapters/{stem}/README.md", *texts, sep="\t")
 
 
 def along(e, right, up):
-    return plus(times(e.d, e.forward), times(right, e.right), times(up, e.up))
+    return plus(plus(times(e.d, e.forward), e.right, right), e.up, up)
 
 
 def degrees_across(distance, width):
@@ -193,9 +169,9 @@ def print_lessons(e):
 
 
 def print_rays(e):
-    stem, length, to_center = "05-quadratic", math.hypot(*e.v), minus(e.center, e.p)
+    stem, length, to_center = "05-quadratic", math.hypot(*e.v), plus(e.center, e.p, -1)
     middle = dot(to_center, unit(e.v))
-    off = math.hypot(*minus(to_center, times(middle, unit(e.v))))
+    off = math.hypot(*plus(to_center, unit(e.v), -middle))
     half = math.sqrt((e.radius - off) * (e.radius + off))
     first, second = (middle - half) / length, (middle + half) / length
     holds(stem, "$p$ = ", e.p)
@@ -212,7 +188,7 @@ def print_rays(e):
         print(f"chapters/{stem}/README.md\tand the ray seems to miss")
     else:
         t = (-b - math.sqrt(b * b - 4 * c)) / 2
-        inside = math.hypot(*minus(times(t, e.v), to_center)) < e.radius
+        inside = math.hypot(*plus(times(t, e.v), to_center, -1)) < e.radius
         holds(stem, "$t = ", t, 4, "$. That point is")
         print(f"chapters/{stem}/README.md\tfrom the centre: {'inside' if inside else 'outside'} the sphere.")
 

@@ -31,7 +31,7 @@ def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
 
-def plus(a, b, factor=1.0):
+def plus(a, b, factor=1):
     return tuple(x + factor * y for x, y in zip(a, b))
 
 
