@@ -1,19 +1,11 @@
 #!/bin/sh
-# engines.sh - chapter 08's engines on all scenes there are, on a thousand random ones, in as much
-# memory as they may take, and on processors that have less. ENGINE_SCENES and ENGINE_SIZE (1920x1080) in the
-# environment make it fewer and smaller.
-# engines.sh shading: shadows and mirrors through the hierarchy, on many random scenes, and on 2,000 whose numbers are far
-# apart (tests/house/engines/same_shading.c); on fewer by another compiler or with a sanitizer (BRIEF).
+# engines.sh - chapter 08's engines on all scenes there are, on 3,000 random ones and as many whose numbers are far apart,
+# flat and with light, in as much memory as they may take, and on processors that have less. ENGINE_SCENES and
+# ENGINE_SIZE (1920x1080) in the environment make it fewer and smaller.
 # Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
-if [ "${1:-}" = shading ]; then
-    set -- 5000 1 2000
-    [ -z "${BRIEF:-}" ] || set -- 1000 1 200
-    "$BUILD/tests/house/engines/same_shading" "$@"
-    exit
-fi
 same=$BUILD/tests/house/engines/same_pictures
 scenes=$BUILD/scenes
 three=chapters/06-ray-casting/three-spheres.nff
@@ -23,7 +15,7 @@ three=chapters/06-ray-casting/three-spheres.nff
 # Against chapter 06's loop; of what takes it more than 1e10 tests of a ray and a sphere, against the
 # hierarchy, and rows of that against chapter 06's.
 if [ -z "${BRIEF:-}" ]; then
-    counted "$same" "${ENGINE_SCENES:-1000}" 101
+    counted "$same" "${ENGINE_SCENES:-3000}" 101
     # shellcheck disable=SC2046 # names are words
     counted "$same" "${ENGINE_SIZE:-1920x1080}" 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
         "$scenes"/*.nff

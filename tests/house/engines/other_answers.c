@@ -8,8 +8,8 @@
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
-#include "tests/house/engines/compare_engines.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +24,7 @@ static Scene scene = {.surfaces = surfaces,
 
 // The function that is changed; NULL: none.
 static const char *changed;
+static int failed;
 
 static bool is_changed(const char *name)
 {
@@ -156,10 +157,9 @@ static void compare_picture(const char *function, bool whole)
     }
     bool same = engine_named("bvh")->light(&work, style, &message) &&
                 (!whole || memcmp(image.rgb, right.rgb, (size_t)(3 * 48 * 36)) == 0);
-    if (same)
-        passed++;
-    else
-        against_fail(function == NULL ? "none changed" : function, "another picture");
+    if (!same)
+        printf("not ok: %s changed: another picture\n", function == NULL ? "nothing" : function);
+    failed += !same;
     changed = NULL;
     image_free(&image);
     image_free(&right);
@@ -179,8 +179,10 @@ int main(void)
                      {"shade", true},
                      {"shade's constant", true},
                      {"clamp_color", true}};
+    enum { COUNT = sizeof functions / sizeof *functions };
     compare_picture(NULL, true);
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+    for (int i = 0; i < COUNT; i++)
         compare_picture(functions[i].name, functions[i].whole);
-    return against_end("other answers");
+    printf("other answers: %d passed, %d failed\n", COUNT + 1 - failed, failed);
+    return failed > 0;
 }

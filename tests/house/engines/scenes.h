@@ -1,6 +1,6 @@
-// test_scenes.h - scenes that are made to be difficult, and random ones.
-#ifndef TESTS_HOUSE_ENGINES_TEST_SCENES_H
-#define TESTS_HOUSE_ENGINES_TEST_SCENES_H
+// scenes.h - scenes that are made to be difficult, to cast and to light, and random ones.
+#ifndef TESTS_HOUSE_ENGINES_SCENES_H
+#define TESTS_HOUSE_ENGINES_SCENES_H
 
 #include "common/camera.h"
 #include "common/scene.h"
@@ -12,6 +12,7 @@ typedef struct {
     Scene scene;
     Camera camera;
     Resolution size;
+    int depth; // the number of mirrors to follow
 } Made;
 
 // How a camera differs from that of an NFF viewpoint: not at all; its right is on the other side;
@@ -34,6 +35,8 @@ void made_hidden(Made *made);
 // A random one: one to 400 spheres of all kinds. For a number always the same, by one compiler:
 // in which order it takes the numbers of one call is its own affair.
 void made_at_random(Made *made, unsigned number);
+// Eyes and lights up to 1e15 away, radii from 1e-12 to 1e14, the eye in mirrors.
+void made_far_apart(Made *made, unsigned number);
 
 // Spheres that are about that many of their radii away from the eye.
 void made_far(Made *made, unsigned number, double radii, double radius);
@@ -45,33 +48,8 @@ void made_edge(Made *made, unsigned number, double radii, double width);
 bool made_uniform(Made *made, int count);
 void made_uniform_free(Made *made);
 
-// ---- scenes that are awkward to light (shading_scenes.c) ---------------------------------------
-
-// The scene that the functions below make, and the number of mirrors to follow.
-extern Scene lit_scene;
-extern int lit_depth;
-
-typedef struct {
-    const char *name;
-    void (*make)(void);
-    int times; // it is another one every time
-} LitScene;
-
-// The last one has no name.
-extern const LitScene lit_awkward[];
-
-void lit_at_random(unsigned number);
-
-// Eyes and lights up to 1e15 away, radii from 1e-12 to 1e14, the eye in mirrors.
-void lit_far_apart(unsigned number);
-
-// ---- random numbers ---------------------------------------------------------------------------
-
-// The same ones after the same beginning.
-void random_begin(unsigned long long seed);
+// Random numbers, as after the last scene.
 double uniform(double low, double high);
-double power_of_ten(double low, double high);
-bool once_in(double times);
 vec3 within(double most);
 
 #endif
