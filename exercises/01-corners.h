@@ -1,9 +1,10 @@
 // 01-corners.h - exercise 01: from the eye to the image plane.
 //
-// Slides 'Camera' and 'Finding vectors from the eye to the image plane'. All answers are vectors
-// from the eye to a point of the image plane, in the axes and units of the world. Their length is
-// usually not 1. The frame of each camera is unit vectors at right angles; d, w and h are positive
-// (camera.h).
+// Slides 'Camera' and 'Finding vectors from the eye to the image plane'. Begin with
+// image_plane_vector: right or wrong, it draws three spheres (make watch EX=01).
+// All answers are vectors from the eye to a point of the image plane, in the axes and units of the
+// world. Their length is usually not 1. The frame of each camera is unit vectors at right angles;
+// d, w and h are positive (camera.h).
 // Scale: if the world is k times as large, the vector is k times as long. Tests use worlds from
 // 1e-6 to 1e6, and planes that are wide, narrow, near and far. Tolerance: 1e-9 of the distance,
 // width and height.

@@ -117,8 +117,8 @@ static double cosine(vec3 v, vec3 w)
 }
 
 #define COMPARE                                                                                    \
-    "Compare a difference with CAMERA_TOLERANCE x the edges and a cosine with CAMERA_TOLERANCE, "  \
-    "not with 0 or a fixed length, and use no float"
+    "Compare a difference with CAMERA_TOLERANCE times the sum of width and height, and a "         \
+    "cosine with CAMERA_TOLERANCE, not with 0 or a fixed length, and use no float"
 
 // What an exact comparison finds in a rectangle: rounding. False if it finds nothing.
 static bool is_refused_for_rounding(CameraFault yours, Corners v)

@@ -746,8 +746,8 @@ static const char *explain_refusals(const Evidence *evidence)
     if (refused == 0 || accepted == 0)
         return NULL;
     return "you refuse rounding, it seems: some cameras are refused, others are not. Compare a "
-           "difference with CAMERA_TOLERANCE x the edges and a cosine with CAMERA_TOLERANCE, not "
-           "with 0 or a fixed length, and use no float";
+           "difference with CAMERA_TOLERANCE times the sum of width and height, and a cosine with "
+           "CAMERA_TOLERANCE, not with 0 or a fixed length, and use no float";
 }
 
 // These words contain no number of a test, so that they may also be shown for hidden tests.
