@@ -3,6 +3,7 @@
 #
 # MOST_ANIMATIONS says how many of the four are drawn (4), beside a small one. tests/house/figures/animations.py
 # tests what they show.
+# Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once videos "the videos of animations"

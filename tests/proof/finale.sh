@@ -3,6 +3,7 @@
 #
 # In the tree it has a palette of 256 colours, dithered, which is a third of the bytes: colours are compared
 # by the means of each 8 x 8 pixels, and by the mean of all differences.
+# Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once finale "the picture in README.md"

@@ -32,36 +32,12 @@ runs() {
 check 'the fuzz target of scenes builds' \
     builds SCENES common/scene.c common/text.c common/answers.c common/failed_check.c
 mkdir "$scratch/scenes"
-# Scenes that are difficult to read, one a line: a name, and the text as printf's %b takes it.
-sed "s/VIEW/v\\\\nfrom 0 0 5\\\\nat 0 0 0\\\\nup 0 1 0\\\\nangle 45\\\\nresolution 8 6\\\\n/
-    s/BLANKS/$(printf '%1000s' '')/" <<'SCENES' | while read -r name text; do printf '%b' "$text" >"$scratch/scenes/$name.nff"; done
-angle-180 v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 180\nresolution 8 6\n
-byte-order-mark \0357\0273\0277VIEW
-comments # a comment\n\nVIEWs 0 0 0 1 # another\n#s 0 0 0 1\n#
-cone VIEWc\n0 0 0 1\n0 1 0 0\ns 0 0 0 1\n
-control-characters \0033[2Jsphere\n
-crlf v\r\nfrom 0 0 5\r\nat 0 0 0\r\nup 0 1 0\r\nangle 45\r\nresolution 8 6\r\ns 0 0 0 1\r\n\r\n
-empty
-everything b 0.1 0.2 0.3\nVIEWhither 1\nl 1 2 3\nl 3 2 1 1 0.5 0\nf 1 0 0 0.8 0.2 10 0 1\ns 0 0 0 1\nf 0 1 0 1 0 0 0 1\ns 1 0 0 .5\ns 0 1 0 .5\n
-huge-polygon VIEWp 2147483647\n0 0 0\n
-huge-resolution v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nresolution 1000000000 1000000000\n
-long-line #BLANKS\n
-many-words v 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17\n
-minimal VIEW
-negative-radius VIEWs 0 0 0 -1\n
-no-last-newline VIEWs 0 0 0 1
-not-finite VIEWs nan inf 0x1 1e999\n
-odd-numbers VIEWs -.5 +5. 1e-3 1E2\ns 1e-999 -0 00 1e-320\n
-outside-viewpoint from 0 0 5\n
-polygon VIEWp 3\n0 0 0\n1 0 0\n1 1 0\npp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n
-second-viewpoint VIEWv\n
-swallowing-polygon VIEWp 4\n0 0 0\n1 0 0\n1 1 0\ns 0 0 0 1\n
-tabs \tv \nfrom\t0  0\t5\n at 0 0 0\nup 0 1 0\nangle 45\nresolution 8 6\n \t \n
-truncated-cone VIEWc\n0 0 0 1\n
-truncated-polygon VIEWp 4\n0 0 0\n1 0 0\n
-truncated v\nfrom 0 0 5\nat 0 0
-zero-byte VIEWs 0 0 0 1\0000\n
-SCENES
+# To begin with: one scene with everything, one with a line that is too long, and what is no scene.
+everything='v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nresolution 8 6\nb 0 0 1\nl 1 2 3\nl 3 2 1 1 0.5 0
+f 1 0 0 0.8 0.2 10 0 1\ns 0 0 0 1\nc\n0 0 0 1\n0 1 0 0\np 3\n0 0 0\n1 0 0\n1 1 0\n'
+printf '%b' "$everything" >"$scratch/scenes/everything.nff"
+printf '%b#%1000s\n' "$everything" '' >"$scratch/scenes/long-line.nff"
+printf '\357\273\277# x\r\nv 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17\r\np 2147483647\n\0' >"$scratch/scenes/none.nff"
 check "the scene reader survives $seconds s of fuzzing" runs SCENES "$scratch/scenes" common/scene.c
 # One case for each recorded text.
 mkdir "$scratch/cases"

@@ -4,7 +4,8 @@
 # tests/proof/generated/ makes them from all known answers, with a seed, and judges them by the tables of three seeds.
 # This test fails if no test notices a plain slip in a solution, or if a verdict is another one with other random numbers
 # (try_mutants.c), unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong
-# answers are named or described. Only reads the tree.
+# answers are named or described.
+# Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once generated "wrong answers that nobody has thought of"

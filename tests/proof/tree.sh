@@ -1,12 +1,15 @@
 #!/bin/sh
 # tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
+# In CI, where the README's commands have just built a clean clone, the copy has what they built.
+# Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once tree "the tree as its users have it"
 
 tree=$scratch/tree
 mkdir "$tree"
-git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$tree" 2>/dev/null
+git ls-files -z --cached --others --exclude-standard | xargs -0 cp -p --parents -t "$tree" 2>/dev/null
+[ -z "${CI:-}" ] || cp -a build "$tree"
 cd "$tree" || exit 1
 
 says() {
