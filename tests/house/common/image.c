@@ -1,7 +1,7 @@
 // image.c - tests of common/image.c, common/image_png.c and common/whole_file.c: colours, the image
 // in memory, the picture as a file. Expected: the conventions that they declare; the same picture,
 // read back by libpng itself. What the programs say of their files is in
-// tests/house/command_line.txt.
+// tests/house/command_line.txt; which row is the top one is seen in every picture of a lesson.
 #include "common/image.h"
 
 #include "common/whole_file.h"
@@ -78,19 +78,6 @@ TEST(byte_from_color, a_colour_that_is_no_number_is_black)
     image_free(&image);
 }
 
-TEST(image_set, columns_count_from_the_left_and_rows_from_the_top)
-{
-    Image image = image_of(4, 3);
-    image_set(&image, (Pixel){.column = 3, .row = 1}, vec3_of(1, 0.2, 0.4));
-    for (int i = 0; i < 12; i++) {
-        const uint8_t *rgb = image.rgb + 3 * i;
-        given("pixel", "number %d of 4 x 3, row by row", i);
-        expect_vec3(vec3_of(rgb[0], rgb[1], rgb[2]),
-                    i == 4 + 3 ? vec3_of(255, 51, 102) : vec3_of(0, 0, 0), 0);
-    }
-    image_free(&image);
-}
-
 // ---- the image in memory --------------------------------------------------------------------
 
 TEST(image_create, a_new_image_is_black)
@@ -127,30 +114,6 @@ TEST(image_create, impossible_sizes_are_refused)
     }
 }
 
-static struct {
-    int calls;
-    long last;
-} progress;
-
-static void note_progress(const Image *image)
-{
-    progress.calls++;
-    progress.last = image->set_count;
-}
-
-TEST(image_set, progress_is_reported_after_every_1024_pixels)
-{
-    Image image = image_of(10, 10);
-    image.progress = note_progress;
-    for (int i = 1; i <= 5000; i++) {
-        image_set(&image, (Pixel){i % 10, i / 10 % 10}, vec3_of(1, 1, 1));
-        given("pixels set", "%d", i);
-        expect_int(progress.calls, i / 1024);
-        expect_int(progress.last, i / 1024 * 1024L);
-    }
-    image_free(&image);
-}
-
 // The image written to a file, and the file decoded by libpng's simplified interface.
 static Image read_back(const Image *image)
 {
@@ -182,17 +145,6 @@ TEST(image_write_png, a_picture_is_read_back_as_it_was_written)
         image_free(&found);
         image_free(&image);
     }
-}
-
-TEST(image_write_png, the_first_row_of_the_file_is_the_top_one)
-{
-    Image image = image_of(2, 2);
-    image_set(&image, (Pixel){.column = 1, .row = 0}, vec3_of(1, 0.2, 0));
-    Image found = read_back(&image);
-    const uint8_t expected[12] = {0, 0, 0, 255, 51, 0};
-    ck_assert_mem_eq(found.rgb, expected, 12);
-    image_free(&found);
-    image_free(&image);
 }
 
 // Half of the file is written when the signal comes.

@@ -198,8 +198,6 @@ if figure is not None:
 
 # ---- roots and hits -----------------------------------------------------------------------------------
 
-HALF = math.sqrt(1.25)  # the length of (1, 0.5), the direction of the deck's drawing
-
 
 def section(name, stem, change, p, v, spheres, right, yours, words):
     """p, v: the ray; spheres: centre and radius; right and yours: t."""
