@@ -148,7 +148,7 @@ static void say_picture(const Page *page, const char *path, const char *shows, c
 {
     static char said[MOST_PLAN_PATH];
     char words[4000];
-    if (page->rows > 0 && strcmp(said, path) == 0)
+    if (page->is_brief && strcmp(said, path) == 0)
         return;
     snprintf(said, sizeof said, "%s", path);
     snprintf(words, sizeof words, "%s", shows);
@@ -159,7 +159,7 @@ static void say_picture(const Page *page, const char *path, const char *shows, c
     if (given[0] != '\0')
         snprintf(words + length, sizeof words - length, " %s", given);
     page_field(page, PLAIN, "picture", path);
-    if (page->rows > 0)
+    if (page->is_brief)
         return;
     page_words(page, PLAIN, PAGE_LABEL, PAGE_LABEL, words);
 }
@@ -178,7 +178,7 @@ static bool show_picture(const Page *page, const JudgingPlan *plan, int chapter,
     if (!link_with_answers(plan, chapter, plan->drawing, needs, program.s, &by) ||
         !draw(plan, program.s, picture->name, path.s))
         return false;
-    if (begins && page->rows == 0)
+    if (begins && !page->is_brief)
         putc('\n', page->out);
     say_picture(page, path.s, picture->shows, &by, picture->given);
     return true;
@@ -225,7 +225,8 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
             unlink(mark.s);
         // In the later chapters the chapter's own picture shows all of it.
         bool is_news = right && (again || access(mark.s, F_OK) != 0) &&
-                       (!is_done || picture->given[0] != '\0');
+                       (!is_done || picture->given[0] != '\0') &&
+                       (wrong == NULL || !page->is_brief);
         bool shown =
             (picture == wrong || is_news) && show_picture(page, plan, chapter, picture, begins);
         begins = begins && !shown;

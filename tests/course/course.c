@@ -250,74 +250,22 @@ static void show_pictures(const Page *page, const Course *course, const Shown *s
         reward_chapter(page, &course->plan, shown->last);
 }
 
-// A page that is written to memory, to free.
-static Page page_in_memory(int rows, char **text, size_t *size)
+// brief: on a terminal that shows nothing else.
+static void show(const Course *course, const Shown *shown, bool brief)
 {
-    Page page = page_on(stdout);
-    page.rows = rows;
-    page.out = open_memstream(text, size);
-    if (page.out == NULL)
-        abort();
-    return page;
-}
-
-// On a terminal that shows nothing else: what has become right, in a line each if there is room,
-// and the verdict. The rows that are left.
-static int print_fitted(const Course *course, int rewards, const bool news[MOST_CHAPTERS],
-                        char *verdict, int room)
-{
-    Page page = page_on(stdout);
-    char *text = NULL, command[100] = "make exercises";
-    size_t size;
-    if (course->all.count == 1)
-        snprintf(command, sizeof command, "make exercises EX=%.2s",
-                 course->plan.chapters[course->all.last].stem);
-    Page fitted = page_in_memory(0, &text, &size);
-    int used = page_fit(&fitted, verdict, room - (rewards > 0), command);
-    fclose(fitted.out);
-    bool is_room = used + rewards <= room;
-    if (is_room)
-        say_rewards(&page, course, news);
-    else
-        printf("%d chapters are right: %s/gallery\n", rewards, course->plan.built);
-    fputs(text, stdout);
-    free(text);
-    return room - used - (is_room ? rewards : 1);
-}
-
-// rows: of a terminal that shows nothing else; or 0.
-static void show(const Course *course, const Shown *shown, int rows)
-{
-    enum { KEPT_FREE = 2, ALL_ROWS = 1 << 30 }; // for 'Watching ...', and the cursor
     static ShownFigures figures;
     const char *all = getenv("ALL");
-    bool news[MOST_CHAPTERS], shows_all = rows == 0 && all != NULL && all[0] != '\0';
-    char *verdict = NULL, *pictures = NULL;
-    size_t size;
-    int rewards = find_rewards(course, shown->chosen, news), room = ALL_ROWS;
-    Page page = page_in_memory(rows, &verdict, &size);
-    Standing standing = show_verdicts(&page, &course->plan, shown->chosen, shows_all, &figures);
-    fclose(page.out);
-    page = page_on(stdout);
-    if (rows > 0) {
-        room = print_fitted(course, rewards, news, verdict, rows - KEPT_FREE);
-    } else {
+    bool news[MOST_CHAPTERS], shows_all = !brief && all != NULL && all[0] != '\0';
+    Page page = page_on(stdout);
+    page.is_brief = brief;
+    if (find_rewards(course, shown->chosen, news) > 0) {
         say_rewards(&page, course, news);
-        printf("%s%s", rewards > 0 ? "\n" : "", verdict);
+        fputs(brief ? "" : "\n", stdout);
     }
-    free(verdict);
+    Standing standing = show_verdicts(&page, &course->plan, shown->chosen, shows_all, &figures);
     fflush(stdout);
-    bool is_fitted = rows > 0 && standing != ALL_RIGHT;
-    if (is_fitted)
-        page = page_in_memory(rows, &pictures, &size);
+    page.is_brief = brief && standing != ALL_RIGHT;
     show_pictures(&page, course, shown, standing, &figures, news);
-    fflush(page.out);
-    char *rest = pictures;
-    for (char *line; room > 0 && (line = strsep(&rest, "\n")) != NULL && rest != NULL; room--)
-        puts(line);
-    if (is_fitted)
-        fclose(page.out);
-    free(pictures);
     fflush(stdout);
 }
 
@@ -351,11 +299,11 @@ static int watch(const Course *course)
     Shown shown = course->all;
     bool good = judging_judge(&course->plan, shown.chosen);
     for (int saved = -1; good;) {
-        int rows = page_rows(stdout);
-        if (rows > 0)
+        bool is_terminal = isatty(fileno(stdout)) == 1;
+        if (is_terminal)
             printf("\033[2J\033[H"); // an empty screen
-        show(course, &shown, rows);
-        if (rows == 0)
+        show(course, &shown, is_terminal);
+        if (!is_terminal)
             putchar('\n');
         puts("Watching: save a file and it is judged; Ctrl-C ends.");
         fflush(stdout);
@@ -497,7 +445,7 @@ static int run(const char *what, const Course *course, const char *program)
         return 0;
     }
     if (strcmp(what, "exercises") == 0)
-        show(course, &course->all, 0);
+        show(course, &course->all, false);
     return strcmp(what, "hint") == 0    ? hint(course)
            : strcmp(what, "debug") == 0 ? debug(course, program)
                                         : 0; // judge

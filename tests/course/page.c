@@ -6,13 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-enum {
-    USUAL_COLUMNS = 80,
-    FEWEST_COLUMNS = 40,
-    MOST_COLUMNS = 1000,
-    MOST_ROWS = 1000,
-    MOST_PRINTED_LINES = 8
-};
+enum { USUAL_COLUMNS = 80, FEWEST_COLUMNS = 40, MOST_COLUMNS = 1000, MOST_PRINTED_LINES = 8 };
 
 static int columns_of(FILE *out)
 {
@@ -34,15 +28,7 @@ Page page_on(FILE *out)
     return (Page){out, columns_of(out) - 1,
                   isatty(fileno(out)) == 1 && (no_color == NULL || no_color[0] == '\0') &&
                       term != NULL && strcmp(term, "dumb") != 0,
-                  0};
-}
-
-int page_rows(FILE *out)
-{
-    struct winsize size;
-    if (isatty(fileno(out)) != 1)
-        return 0;
-    return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : MOST_ROWS;
+                  false};
 }
 
 static void begin(const Page *page, PageColor color)
@@ -137,78 +123,6 @@ void page_printed(const Page *page, const char *label, const char *text)
         putc('\n', page->out);
     if (*text != '\0')
         fprintf(page->out, "%*s... and more\n", PAGE_LABEL, "");
-}
-
-// ---- as high as the terminal -------------------------------------------------------------------
-
-typedef struct {
-    const char *text; // NULL: cut
-    int rows;
-} PageLine;
-
-static int rows_of(const Page *page, const char *line)
-{
-    int letters = 0, columns = page->columns + 1;
-    for (; *line != '\0'; line++)
-        if (*line == '\033')
-            line += strcspn(line, "m");
-        else
-            letters += ((unsigned char)*line & 0xC0) != 0x80;
-    return letters == 0 ? 1 : (letters + columns - 1) / columns;
-}
-
-// Cuts the last of the lines from one to another; the last has the words instead. How many rows are
-// still too many.
-static int cut(PageLine *lines, int from, int to, int too_many, const char *words)
-{
-    int saved = -1;
-    if (to - from < 2) // the words need a row as well
-        return too_many;
-    for (; too_many > 0 && to > from && saved < too_many; saved += lines[to].rows)
-        lines[--to].text = NULL;
-    if (saved >= 0)
-        lines[to] = (PageLine){words, 1};
-    return saved > 0 ? too_many - saved : too_many;
-}
-
-static bool begins_any(const char *line, const char *const *words)
-{
-    while (*words != NULL && strncmp(line, *words, strlen(*words)) != 0)
-        words++;
-    return *words != NULL;
-}
-
-int page_fit(const Page *page, char *text, int rows, const char *command)
-{
-    enum { MOST_LINES = 400 };
-    PageLine lines[MOST_LINES];
-    char words[200];
-    int count = 0, end = 0, result = 0, tried = 0, all = 0;
-    for (char *line; text != NULL && *text != '\0' && count < MOST_LINES;) {
-        if (*text == PAGE_END_OF_VERDICT) {
-            end = count;
-            text++;
-            continue;
-        }
-        line = strsep(&text, "\n");
-        lines[count++] = (PageLine){line, rows_of(page, line)};
-        all += lines[count - 1].rows;
-        if (result == 0 && begins_any(line, (const char *[]){"  expected ", "  it  ", NULL}))
-            result = count - 1;
-        if (tried == 0 && begins_any(line, (const char *[]){"  try  ", NULL}))
-            tried = count;
-    }
-    snprintf(words, sizeof words, "  ...        %s shows all of it", command);
-    int too_many = cut(lines, tried > 0 ? tried : 1, end, all - rows, words);
-    if (result > 0)
-        too_many = cut(lines, 2, result, too_many, words);
-    all = 0;
-    for (int i = 0; i < count; i++)
-        if (lines[i].text != NULL) {
-            fprintf(page->out, "%s\n", lines[i].text);
-            all += lines[i].rows;
-        }
-    return all;
 }
 
 // ---- one call of a test ------------------------------------------------------------------------

@@ -11,14 +11,12 @@ typedef struct {
     FILE *out;
     int columns; // that are written to: one less than there are
     bool colors;
-    int rows; // of a terminal that shows this page alone, without what is the same each time; or 0
+    bool is_brief; // without what is the same each time
 } Page;
 
 // Columns: COLUMNS in the environment, the terminal's, or 80. Colours: on a terminal, unless
-// NO_COLOR is set or TERM is dumb. Rows: 0.
+// NO_COLOR is set or TERM is dumb. Not brief.
 Page page_on(FILE *out);
-// The rows of the terminal; many if it does not tell, and 0 if it is not a terminal.
-int page_rows(FILE *out);
 
 // A line as it is.
 void page_line(const Page *page, PageColor color, const char *line);
@@ -33,12 +31,6 @@ void page_words(const Page *page, PageColor color, int first, int others, const 
 
 // A program's output: a limited number of lines under a label, without control characters.
 void page_printed(const Page *page, const char *label, const char *text);
-
-// Writes text that others have written for a page, in at most this many rows, and returns how many
-// it took. The verdict, which ends with a PAGE_END_OF_VERDICT, is cut first at its end (warnings),
-// then among its arguments; there a line says which command shows the rest.
-enum { PAGE_END_OF_VERDICT = '\f' };
-int page_fit(const Page *page, char *text, int rows, const char *command);
 
 // One call of a test, as the records have it (tests/judge/runner.h); how: the way in which a test
 // ended that expected nothing.

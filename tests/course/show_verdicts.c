@@ -134,6 +134,9 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     if (number < 0)
         return;
     const Exercise *exercise = &exercises[number];
+    const char *warnings = record_value(&chapter->record, "warnings");
+    if (page->is_brief) // what comes first leaves a terminal first
+        show_lines(page, warnings);
     show_header(page, exercise, unanswered ? "  is not answered yet" : "");
     if (unanswered) {
         page_field(page, PLAIN, "asked", exercise->prompt);
@@ -167,7 +170,8 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     char what[100];
     snprintf(what, sizeof what, "make %s EX=%.2s", has_ended ? "debug" : "hint", chapter->stem);
     page_field(page, PLAIN, "try", what);
-    show_lines(page, record_value(&chapter->record, "warnings"));
+    if (!page->is_brief)
+        show_lines(page, warnings);
     page_line(page, PLAIN, "");
 }
 
@@ -445,16 +449,14 @@ Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool cho
     for (int i = 0; i < count; i++)
         if (all ? !is_right(&chapters[i]) : &chapters[i] == next)
             show_troubles(page, plan, &chapters[i], all, shown);
-    if (page->rows > 0)
-        putc(PAGE_END_OF_VERDICT, page->out);
     char stands_on[64] = "";
     for (int i = 0; i < count; i++)
-        if (page->rows == 0 || next == NULL || &chapters[i] == next)
+        if (!page->is_brief || next == NULL || &chapters[i] == next)
             show_progress(page, plan, &chapters[i], &chapters[i] == next, stands_on);
     show_progress_so_far(page, plan);
-    if (next == NULL || page->rows == 0 || stands_on[0] != '\0')
+    if (next == NULL || !page->is_brief || stands_on[0] != '\0')
         page_line(page, PLAIN, "");
-    if (next != NULL && (page->rows == 0 || stands_on[0] != '\0')) {
+    if (next != NULL && (!page->is_brief || stands_on[0] != '\0')) {
         bool has_trouble = first_that_is(&next->record, "wrong") != NULL ||
                            first_that_is(&next->record, "unanswered") != NULL;
         const char *work = !has_trouble && stands_on[0] != '\0' ? stands_on : next->stem;
