@@ -11,19 +11,13 @@
     result reference_##name(DECLARED(parameters)) __attribute__((weak));
 #include "tests/exercises.def"
 
-#define CALL_VALUE(result, name, parameters)                                                       \
-    static void call_##name(AnyFunction *function, void *yours, void *const *arguments)            \
-    {                                                                                              \
-        *(result *)yours = ((result(*)(DECLARED(parameters)))function)(ARGUMENTS(parameters));     \
-    }
-#define CALL_VOID(result, name, parameters)                                                        \
+#define EXERCISE(stem, result, name, parameters, ...)                                              \
     static void call_##name(AnyFunction *function, void *yours, void *const *arguments)            \
     {                                                                                              \
         (void)yours;                                                                               \
+        IF_VOID(result, , *(result *)yours =)                                                      \
         ((result(*)(DECLARED(parameters)))function)(ARGUMENTS(parameters));                        \
     }
-#define EXERCISE(stem, result, name, parameters, ...)                                              \
-    IF_VOID(result, CALL_VOID, CALL_VALUE)(result, name, parameters)
 #include "tests/exercises.def"
 
 #define PARAMETER(i, passing, type, name)                                                          \

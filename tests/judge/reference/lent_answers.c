@@ -7,20 +7,13 @@
 
 #include "tests/exercises.def" // the contracts
 
-#define LENT_VALUE(result, name, parameters)                                                       \
-    result lent_##name(DECLARED(parameters));                                                      \
-    result lent_##name(DECLARED(parameters))                                                       \
-    {                                                                                              \
-        result yours;                                                                              \
-        transport_call(NUMBER_##name, &yours, (void *[]){ADDRESSES(parameters)});                  \
-        return yours;                                                                              \
-    }
-#define LENT_VOID(result, name, parameters)                                                        \
-    result lent_##name(DECLARED(parameters));                                                      \
-    result lent_##name(DECLARED(parameters))                                                       \
-    {                                                                                              \
-        transport_call(NUMBER_##name, NULL, (void *[]){ADDRESSES(parameters)});                    \
-    }
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
-    IF_VOID(result, LENT_VOID, LENT_VALUE)(result, name, parameters)
+    result lent_##name(DECLARED(parameters));                                                      \
+    result lent_##name(DECLARED(parameters))                                                       \
+    {                                                                                              \
+        IF_VOID(result, , result yours;)                                                           \
+        transport_call(NUMBER_##name, IF_VOID(result, NULL, &yours),                               \
+                       (void *[]){ADDRESSES(parameters)});                                         \
+        IF_VOID(result, , return yours;)                                                           \
+    }
 #include "tests/exercises.def"

@@ -29,20 +29,13 @@ static void ask(int exercise, void *yours, void *const *arguments)
         transport_call(exercise, yours, arguments);
 }
 
-#define PROXY_VALUE(result, name, parameters)                                                      \
-    result name(DECLARED(parameters))                                                              \
-    {                                                                                              \
-        result yours;                                                                              \
-        ask(NUMBER_##name, &yours, (void *[]){ADDRESSES(parameters)});                             \
-        return yours;                                                                              \
-    }
-#define PROXY_VOID(result, name, parameters)                                                       \
-    result name(DECLARED(parameters))                                                              \
-    {                                                                                              \
-        ask(NUMBER_##name, NULL, (void *[]){ADDRESSES(parameters)});                               \
-    }
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
-    IF_VOID(result, PROXY_VOID, PROXY_VALUE)(result, name, parameters)
+    result name(DECLARED(parameters))                                                              \
+    {                                                                                              \
+        IF_VOID(result, , result yours;)                                                           \
+        ask(NUMBER_##name, IF_VOID(result, NULL, &yours), (void *[]){ADDRESSES(parameters)});      \
+        IF_VOID(result, , return yours;)                                                           \
+    }
 #include "tests/exercises.def"
 
 // ---- answers that are linked into this program -------------------------------------------------
