@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Digits that are always shown, and the most of a number that has no more.
-enum { FEW = 4, SHORT = 6 };
+// The most digits of a number that has no more.
+enum { SHORT = 6 };
 
 // The powers of ten that are not written.
 enum { LEAST_POWER = -4, MOST_POWER = 6 };
@@ -119,7 +119,7 @@ Text number_shown_to(double x, int digits)
 
 Text number_shown(double x)
 {
-    return number_shown_to(x, FEW);
+    return number_shown_to(x, SHOWN_DIGITS);
 }
 
 Text pair_shown_to(double x, double y, int digits)
@@ -134,10 +134,10 @@ Text pair_shown_to(double x, double y, int digits)
 
 Text pair_shown(double x, double y)
 {
-    return pair_shown_to(x, y, FEW);
+    return pair_shown_to(x, y, SHOWN_DIGITS);
 }
 
-Text vec3_shown(vec3 v)
+Text vec3_shown_to(vec3 v, int digits)
 {
     Text text;
     double rounding = 1e-13 * vec3_length(v);
@@ -145,7 +145,12 @@ Text vec3_shown(vec3 v)
         return number_text(v[0]);
     for (int i = 0; i < 3; i++)
         v[i] = fabs(v[i]) <= rounding && isfinite(rounding) ? 0 : v[i];
-    snprintf(text.s, sizeof text.s, "(%.48s, %.48s, %.48s)", number_shown(v[0]).s,
-             number_shown(v[1]).s, number_shown(v[2]).s);
+    snprintf(text.s, sizeof text.s, "(%.48s, %.48s, %.48s)", number_shown_to(v[0], digits).s,
+             number_shown_to(v[1], digits).s, number_shown_to(v[2], digits).s);
     return text;
+}
+
+Text vec3_shown(vec3 v)
+{
+    return vec3_shown_to(v, SHOWN_DIGITS);
 }

@@ -8,12 +8,14 @@
 
 #include "common/text.h"
 
+enum { SHOWN_DIGITS = 4 };
 Text number_shown(double x);
 // With at least so many digits, if it has so many.
 Text number_shown_to(double x, int digits);
 
 // (2, 2, −4). A component that is only what rounding has left of the others is 0.
 Text vec3_shown(vec3 v);
+Text vec3_shown_to(vec3 v, int digits);
 Text pair_shown(double x, double y);
 Text pair_shown_to(double x, double y, int digits);
 

@@ -4,7 +4,7 @@ import re
 # Letters that LaTeX does not know, wherever they are.
 LETTERS = {
     "−": "-", "½": "1/2", "¼": "1/4", "⅓": "1/3", "·": r"\cdot{}", "×": r"\times{}", "±": r"\pm{}",
-    "²": "^2", "³": "^3", "₀": "_0", "₁": "_1", "₂": "_2", "′": r"^\prime", "°": r"^\circ", "√": r"\surd{}",
+    "⁻": "^-", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", **{"⁴⁵⁶⁷⁸⁹"[i]: f"^{i + 4}" for i in range(6)}, "₀": "_0", "₁": "_1", "₂": "_2", "′": r"^\prime", "°": r"^\circ", "√": r"\surd{}",
     "…": r"\ldots{}", "∞": r"\infty{}", "≤": r"\le{}", "≥": r"\ge{}", "≠": r"\ne{}", "≈": r"\approx{}",
     "∈": r"\in{}", "⟂": r"\perp{}", "•": r"\bullet{}", "→": r"\to{}", "←": r"\leftarrow{}", "↑": r"\uparrow{}",
     "↓": r"\downarrow{}", "⇒": r"\Rightarrow{}", "Δ": r"\Delta{}", "α": r"\alpha{}", "β": r"\beta{}",

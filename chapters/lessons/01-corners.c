@@ -26,9 +26,11 @@ static void fill_corners(Camera c)
     fill_number("t", place.t);
     fill_number("percent_across", 100 * place.s);
     fill_number("percent_up", 100 * place.t);
-    fill_term("sideways", place.s - 0.5, TEXT_DIGITS);
-    fill_term("upward", place.t - 0.5, TEXT_DIGITS);
-    fill_vector("place", image_plane_vector(c, place.s, place.t));
+    fill_term("sideways", place.s - 0.5);
+    fill_term("upward", place.t - 0.5);
+    vec3 v = image_plane_vector(c, place.s, place.t);
+    fill_equals("is_place", 3, (const double[]){v[0], v[1], v[2]});
+    fill_vector("place", v);
 }
 
 // A ball straight ahead, with its front 0.375 of the way to the image plane.
@@ -38,6 +40,7 @@ static void fill_ball(Camera c)
     fill_number("front", front);
     fill_vector("front_point", c.origin + front * c.forward);
     fill_number("twice_d", 2 * c.distance);
+    fill_text("twice_d_option", "%s", number_text(2 * c.distance).s);
     fill_number("quarter_d", c.distance / 4);
 }
 
@@ -50,6 +53,6 @@ void fill_numbers(void)
     fill_ball(c);
     fill_number("unit_w", unit.width);
     fill_number("unit_h", unit.height);
-    fill_number_to("degrees", degrees_across(c.width, c.distance), 4);
-    fill_number_to("degrees_zoomed", degrees_across(c.width, 2 * c.distance), 4);
+    fill_number("degrees", degrees_across(c.width, c.distance));
+    fill_number("degrees_zoomed", degrees_across(c.width, 2 * c.distance));
 }

@@ -35,7 +35,7 @@ void fill_numbers(void)
     fill_vector("lower_left", forms.vectors.lower_left);
     fill_vector("lower_right", forms.vectors.lower_right);
     fill_vector("mean", forms.look_at.at - c.origin);
-    fill_number_to("degrees", 2 * atan(c.width / 2 / c.distance) * 180 / PI, 4);
+    fill_number("degrees", 2 * atan(c.width / 2 / c.distance) * 180 / PI);
     fill_option("eye_option", forms.look_at.eye);
     fill_option("at_option", forms.look_at.at);
     bool square = c.width == c.height;

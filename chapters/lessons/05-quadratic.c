@@ -2,8 +2,9 @@
 #include "exercises/05-quadratic.h"
 
 #include "chapters/lessons/fill.h"
+#include "chapters/shared/digits.h"
 #include "chapters/shared/example.h"
-#include "common/text.h"
+#include "common/shown.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,18 +20,18 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
                   "If you use 1 for $a$,\nthat makes no difference here: test with another ray.");
     else if (roots.count == 0)
         fill_text("with_1", "If you use 1 instead of %s, $D$ is %s, and the ray seems to miss.",
-                  number_text(a).s, number_text_to(q.b * q.b - 4 * q.c, 3).s);
+                  number_shown(a).s, number_shown(q.b * q.b - 4 * q.c).s);
     else {
         double t = roots.t[0];
         double away = vec3_length(ray.origin + t * ray.direction - sphere.center);
-        int digits = 3; // and more, if the point is almost on the sphere
-        while (digits < 15 &&
-               strcmp(number_text_to(away, digits).s, number_text_to(sphere.radius, digits).s) == 0)
+        int digits = SHOWN_DIGITS; // and more, if the point is almost on the sphere
+        while (digits < 15 && strcmp(number_shown_to(away, digits).s,
+                                     number_shown_to(sphere.radius, digits).s) == 0)
             digits++;
         fill_text("with_1",
                   "If you use 1 instead of %s, you get\n$t = %s$. That point is %s from the "
                   "centre: %s the sphere.",
-                  number_text(a).s, number_text_to(t, 4).s, number_text_to(away, digits).s,
+                  number_shown(a).s, number_shown(t).s, number_shown_to(away, digits).s,
                   away < sphere.radius ? "inside" : "outside");
     }
 }
@@ -44,7 +45,7 @@ static void fill_roots(Roots roots)
         if (roots.count == 0)
             fill_text(names[i], "none");
         else
-            fill_number(names[i], i < 2 ? t : i == 2 ? floor(t) : ceil(t));
+            fill_number_to(names[i], i < 2 ? t : i == 2 ? floor(t) : ceil(t), root_digits(roots));
     }
 }
 
@@ -64,10 +65,10 @@ void fill_numbers(void)
     Quadratic q = object_quadratic(to_object_coordinates(ray, sphere), sphere.radius);
     Roots roots = quadratic_roots(q);
     fill_ray(ray, sphere);
-    fill_number("a", q.a);
-    fill_number("b", q.b);
-    fill_number("c", q.c);
-    fill_number_to("D", q.b * q.b - 4 * q.a * q.c, 6);
+    fill_number_to("a", q.a, coefficient_digits(q));
+    fill_number_to("b", q.b, coefficient_digits(q));
+    fill_number_to("c", q.c, coefficient_digits(q));
+    fill_number("D", q.b * q.b - 4 * q.a * q.c);
     fill_roots(roots);
     fill_mistake(ray, sphere, q);
     fill_number("d", example_camera().distance);

@@ -10,13 +10,27 @@ NUMBER U+E002. The source, chapters/lessons/NN-stem.md, has in double brackets
                         heading included
   [[figure NAME]]       on a line of its own: the line that shows a figure, as the lesson has it now; make
                         lesson-figures writes it
-All other text is the lesson's.
+All other text is the lesson's. Numbers come as people write them; in formulas they become LaTeX.
 """
 import json
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+
+FORMULA = re.compile(r"```math\n.*?^```|(```|~~~).*?^\1|`[^`\n]*`|\$[^$]*\$", re.MULTILINE | re.DOTALL)
+PLAIN = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def as_latex(formula):
+    """The numbers of a formula: −10,000 is -10{,}000, and 1.2 · 10⁻⁶ is 1.2 \\cdot 10^{-6}."""
+    formula = re.sub(r"(?<=\d),(?=\d{3})", "{,}", formula.replace("−", "-")).replace(" · 10", r" \cdot 10")
+    return re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda raised: f"^{{{raised[0].translate(PLAIN)}}}", formula)
+
+
+def in_formulas(text):
+    return FORMULA.sub(lambda part: as_latex(part[0]) if part[0][0] == "$" or part[0].startswith("```math") else part[0], text)
 
 
 class Lesson:
@@ -51,7 +65,7 @@ class Lesson:
         lines = Path(self.source).read_text(encoding="utf-8").splitlines()
         text = "".join(self.filled(line, number) + "\n" for number, line in enumerate(lines, 1))
         self.errors += [f"{self.source}: does not use the number '{name}'" for name in self.numbers if name not in self.used]
-        return text
+        return text if self.marked else in_formulas(text)
 
 
 def main():

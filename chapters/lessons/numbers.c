@@ -1,7 +1,7 @@
 // numbers.c - the numbers of a lesson by their names (fill.h).
 #include "chapters/lessons/fill.h"
 
-#include "common/text.h"
+#include "common/shown.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -30,29 +30,46 @@ void fill_text(const char *name, const char *format, ...)
 
 void fill_number(const char *name, double x)
 {
-    fill_text(name, "%s", number_text(x).s);
+    fill_text(name, "%s", number_shown(x).s);
 }
 
 void fill_number_to(const char *name, double x, int digits)
 {
-    fill_text(name, "%s", number_text_to(x, digits).s);
+    fill_text(name, "%s", number_shown_to(x, digits).s);
 }
 
 void fill_vector(const char *name, vec3 v)
 {
-    fill_text(name, "%s", vec3_text(v).s);
+    fill_text(name, "%s", vec3_shown(v).s);
 }
 
-void fill_term(const char *name, double x, int digits)
+void fill_term(const char *name, double x)
 {
-    fill_text(name, "%c %s", x < 0 ? '-' : '+', number_text_to(fabs(x), digits).s);
+    fill_text(name, "%s %s", x < 0 ? "\u2212" : "+", number_shown(fabs(x)).s);
+}
+
+static bool is_exact(double x)
+{
+    enum { MOST = 12 };
+    return strcmp(number_shown(x).s, number_shown_to(x, MOST).s) == 0;
+}
+
+static const char *equals(bool exact)
+{
+    return exact ? "=" : "\\approx";
+}
+
+void fill_equals(const char *name, int count, const double *numbers)
+{
+    bool exact = true;
+    for (int i = 0; i < count; i++)
+        exact = exact && is_exact(numbers[i]);
+    fill_text(name, "%s", equals(exact));
 }
 
 void fill_result(const char *name, double x, int digits)
 {
-    Text text = number_text_to(x, digits);
-    bool exact = fabs(strtod(text.s, NULL) - x) <= 1e-14 * fabs(x);
-    fill_text(name, "%s %s", exact ? "=" : "\\approx", text.s);
+    fill_text(name, "%s %s", equals(is_exact(x)), number_shown_to(x, digits).s);
 }
 
 void fill_option(const char *name, vec3 v)

@@ -34,7 +34,7 @@ static void paragraph(Plot *plot, const char *color, const char *name, const cha
     char text[400];
     snprintf(text, sizeof text, "%s%s", name, words);
     if (words[0] != '\0')
-        plot_below(plot, color, text, true);
+        plot_below(plot, color, text);
 }
 
 void beside_below(Plot *plot, const char *asked, const char *why, BesideWords words)
@@ -48,7 +48,7 @@ void beside_below(Plot *plot, const char *asked, const char *why, BesideWords wo
     paragraph(plot, "ink", yours, words.yours);
     paragraph(plot, "ink", "", words.off);
     if (why[0] != '\0')
-        plot_below(plot, "grey", why, false);
+        plot_below(plot, "grey", why);
 }
 
 void beside_names(Plot *plot)
@@ -81,7 +81,8 @@ static void add_step(Text *sum, int numerator, int denominator, const char *step
     else if (steps > 1)
         snprintf(times, sizeof times, "%d ", steps);
     snprintf(sum->s + used, sizeof sum->s - used, "%s%s%s",
-             numerator < 0 ? (used > 0 ? " - " : "-") : (used > 0 ? " + " : ""), times, step);
+             numerator < 0 ? (used > 0 ? " \u2212 " : "\u2212") : (used > 0 ? " + " : ""), times,
+             step);
 }
 
 Text beside_off(Camera c, vec3 off)
@@ -97,7 +98,7 @@ Text beside_off(Camera c, vec3 off)
         if (simple && numerator != 0)
             add_step(&sum, numerator, denominator, names[i]);
     }
-    snprintf(text.s, sizeof text.s, "off by %.70s%s%.70s", vec3_text_to(off, 4).s,
+    snprintf(text.s, sizeof text.s, "off by %.70s%s%.70s", vec3_shown(off).s,
              simple && sum.s[0] != '\0' ? " = " : "", simple ? sum.s : "");
     return text;
 }

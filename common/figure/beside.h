@@ -19,7 +19,7 @@ typedef struct {
     const char *right, *yours, *off, *drawn;
 } BesideWords;
 
-// answer_text, yours_text, off_text; minus signs for hyphens. And drawn.
+// answer_text, yours_text, off_text and drawn.
 void beside_words(Plot *plot, BesideWords words);
 
 // A figure of the judge: which function it is about, those words, and why yours is wrong. They are
@@ -29,7 +29,7 @@ void beside_below(Plot *plot, const char *asked, const char *why, BesideWords wo
 // 'expected' and 'yours' beside the two arrows.
 void beside_names(Plot *plot);
 
-// off by (1, 1, 0) = 1/2 w r + 1/2 h u: in the camera's own steps, where those are simple
+// off by (1, 1, 0) = ½ w r + ½ h u: in the camera's own steps, where those are simple
 // fractions.
 Text beside_off(Camera camera, vec3 off);
 

@@ -20,6 +20,9 @@ enum { CLEAR = 4, APART = 9, LEADER_FROM = 26, LEADER_GAP = 3, LEADER_LEAST = 8,
 // that it crosses.
 enum { FINE = LABEL_FINE, LEADER = 50, LEADER_CROSSES = 15 };
 
+// What the number of a mark costs on the other side of its axis, and what if it is left out.
+enum { OTHER_SIDE = 40, LEFT_OUT = 60, SILENT = 400 };
+
 // Sums of the same numbers may differ by so much, because of rounding.
 #define SLACK 1e-6
 
@@ -244,6 +247,11 @@ static bool names_nothing(const PlacedLabel *label)
     return label->free || label->pinned;
 }
 
+static bool is_of_axis(const PlacedLabel *label)
+{
+    return label->aside.u != 0 || label->aside.v != 0;
+}
+
 // From the box to what a label names.
 static double from_named(Area box, const PlacedLabel *label)
 {
@@ -315,7 +323,8 @@ static void add_place(Labels *labels, int number, Spot middle, double wish, int 
         end = between(end, middle, label->radius / from_middle);
     Spot start = {smaller(around.right, larger(around.left, end.u)),
                   smaller(around.top, larger(around.bottom, end.v))};
-    bool leads = !names_nothing(label) && spots_apart(end, start) > LEADER_FROM;
+    bool leads =
+        !names_nothing(label) && !is_of_axis(label) && spots_apart(end, start) > LEADER_FROM;
     double far = names_nothing(label) ? 0.1 * spots_apart(middle, label->from) : away(box, end);
     standing->places =
         one_more(standing->places, standing->place_count, &standing->room, sizeof(Place));
@@ -336,7 +345,7 @@ static void find_cost(const Labels *labels, int number, Place *place)
     const Area box = box_of(label, place->middle);
     place->cost = place->at_least;
     if (!names_nothing(label) && !place->leads && is_ambiguous(labels, number, box)) {
-        place->leads = spots_apart(place->end, place->start) > LEADER_LEAST;
+        place->leads = !is_of_axis(label) && spots_apart(place->end, place->start) > LEADER_LEAST;
         place->cost += place->leads ? LEADER : FINE;
     }
     if (place->leads)
@@ -375,6 +384,26 @@ static void find_places_around(Labels *labels, int number)
             }
 }
 
+// Over its mark, below it, or nowhere.
+static void find_places_of_axis(Labels *labels, int number)
+{
+    enum { GAP = 11 };
+    const PlacedLabel *label = &labels->labels[number];
+    const Spot nowhere = {-2e6 - 1e4 * number, -2e6}; // each label's own
+    const double box =
+        fabs(label->aside.u) * label->width / 2 + fabs(label->aside.v) * label->height / 2;
+    for (int side = 1; side >= -1; side -= 2) {
+        Spot middle = {label->from.u + side * (box + GAP) * label->aside.u,
+                       label->from.v + side * (box + GAP) * label->aside.v};
+        add_place(labels, number, middle, side > 0 ? 0 : OTHER_SIDE, side);
+    }
+    add_place(labels, number, nowhere, 0, 2);
+    Place *last = &labels->standing[number].places[2];
+    last->at_least = last->cost = label->says_what ? SILENT : LEFT_OUT;
+    last->is_known = true;
+    last->leads = false;
+}
+
 static void find_places_anywhere(Labels *labels, int number, double step)
 {
     const PlacedLabel *label = &labels->labels[number];
@@ -405,7 +434,9 @@ static void find_places(Labels *labels, int number)
     const PlacedLabel *label = &labels->labels[number];
     const Area area = labels->area;
     const double u = label->width / 2, v = label->height / 2;
-    if (label->free)
+    if (is_of_axis(label))
+        find_places_of_axis(labels, number);
+    else if (label->free)
         find_places_anywhere(labels, number, EVERYWHERE);
     else if (!label->pinned)
         find_places_around(labels, number);
@@ -547,7 +578,8 @@ static void scatter(Labels *labels)
     enum { EVERYWHERE = 12 };
     bool any = false;
     for (int i = 0; i < labels->count && isfinite(labels->area.right); i++) {
-        if (names_nothing(&labels->labels[i]) || cost_of(labels, i) < FINE)
+        const PlacedLabel *label = &labels->labels[i];
+        if (names_nothing(label) || is_of_axis(label) || cost_of(labels, i) < FINE)
             continue;
         find_places_anywhere(labels, i, EVERYWHERE);
         sort_places(&labels->standing[i]);
@@ -575,6 +607,7 @@ void labels_place(Labels *labels)
         const Place *taken = &labels->standing[i].taken;
         labels->labels[i].middle = taken->middle;
         labels->labels[i].leads = taken->leads;
+        labels->labels[i].is_left_out = is_of_axis(&labels->labels[i]) && taken->number == 2;
         labels->labels[i].start = taken->start;
         labels->labels[i].end = taken->end;
     }

@@ -20,13 +20,16 @@ typedef struct {
 } Area;
 
 typedef struct {
-    Spot from, to; // what it names: two equal spots, or a stretch, anywhere along it
-    double radius; // or a disc around a spot
-    bool free;     // it names no place: it stands where there is room, as near to from as possible
-    bool pinned;   // it names no place: it stands at from, and the others keep out of its way
-    double margin; // if it is free: at least so far from the left and right of the area
+    Spot from, to;  // what it names: two equal spots, or a stretch, anywhere along it
+    double radius;  // or a disc around a spot
+    bool free;      // it names no place: it stands where there is room, as near to from as possible
+    bool pinned;    // it names no place: it stands at from, and the others keep out of its way
+    Spot aside;     // the number of a mark on an axis: in this direction, or in the other one
+    bool says_what; // of these, the one that says what they count: it is left out last
+    double margin;  // if it is free: at least so far from the left and right of the area
     double width, height; // of its text
     Spot middle;          // where it stands (labels_place)
+    bool is_left_out;     // or nowhere: a number of an axis that has no room
     bool leads;           // with a leader, from start to end
     Spot start, end;
 } PlacedLabel;

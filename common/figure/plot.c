@@ -5,11 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LABEL_DIGITS = 4 };
-
 // ---- strings and numbers as gnuplot reads them --------------------------------------------------
 
-char *gnuplot_string(const char *text, bool is_label)
+char *gnuplot_string(const char *text)
 {
     char *string;
     size_t size;
@@ -18,10 +16,8 @@ char *gnuplot_string(const char *text, bool is_label)
     for (; *text != '\0'; text++) {
         if (*text == '"' || *text == '\\')
             putc('\\', out);
-        if (*text == '-' && is_label)
-            fputs("\u2212", out);
-        else // a backquote would run what is between two of them
-            putc((unsigned char)*text < ' ' ? ' ' : *text == '`' ? '\'' : *text, out);
+        // A backquote would run what is between two of them.
+        putc((unsigned char)*text < ' ' ? ' ' : *text == '`' ? '\'' : *text, out);
     }
     putc('"', out);
     fclose(out);
@@ -69,25 +65,12 @@ size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
     return size;
 }
 
-// A number as in data or in a label. next points after it, or to its start if there is none.
-static double number_at(const char *text, const char **next)
-{
-    bool minus = strncmp(text, "\u2212", strlen("\u2212")) == 0;
-    const char *digits = text + (minus ? strlen("\u2212") : 0);
-    char *end;
-    double x = strtod(digits, &end);
-    *next = end == digits ? text : end;
-    if (end != digits && end[0] == 'e') // 1e−7
-        x *= pow(10, number_at(end + 1, next));
-    return minus ? -x : x;
-}
-
 static bool is_right(const char *right, size_t size, const char *yours)
 {
     const char *end = right + size;
     while (right < end && *yours != '\0') {
-        const char *right_next, *yours_next;
-        double x = number_at(right, &right_next), y = number_at(yours, &yours_next);
+        char *right_next, *yours_next;
+        double x = strtod(right, &right_next), y = strtod(yours, &yours_next);
         if ((right_next == right) != (yours_next == yours))
             return false;
         if (right_next == right) {
@@ -318,7 +301,7 @@ static bool define(Plot *plot, const char *name, const char *value)
 // It is wrong if its numbers are: a 0 that is off by rounding also has another text.
 static void define_label(Plot *plot, const char *name, const char *label, bool is_wrong)
 {
-    char key[100], *value = gnuplot_string(label, true);
+    char key[100], *value = gnuplot_string(label);
     snprintf(key, sizeof key, "%s_text", name);
     define_both(plot, key, value, is_wrong);
     free(value);
@@ -329,31 +312,26 @@ static void define_label(Plot *plot, const char *name, const char *label, bool i
 void plot_number_to(Plot *plot, const char *name, double x, int digits)
 {
     bool is_wrong = define(plot, name, gnuplot_number(x).s);
-    define_label(plot, name, number_text_to(x, digits).s, is_wrong);
+    define_label(plot, name, number_shown_to(x, digits).s, is_wrong);
 }
 
 void plot_number(Plot *plot, const char *name, double x)
 {
-    plot_number_to(plot, name, x, LABEL_DIGITS);
-}
-
-static void define_text(Plot *plot, const char *name, const char *text, bool is_label)
-{
-    char *value = gnuplot_string(text, is_label);
-    define(plot, name, value);
-    free(value);
+    plot_number_to(plot, name, x, SHOWN_DIGITS);
 }
 
 void plot_text(Plot *plot, const char *name, const char *text)
 {
-    define_text(plot, name, text, false);
+    char *value = gnuplot_string(text);
+    define(plot, name, value);
+    free(value);
 }
 
 void plot_label(Plot *plot, const char *name, const char *label)
 {
     char key[100];
     snprintf(key, sizeof key, "%s_text", name);
-    define_text(plot, key, label, true);
+    plot_text(plot, key, label);
 }
 
 // ---- points and vectors -----------------------------------------------------------------------
@@ -363,7 +341,7 @@ void plot_point(Plot *plot, const char *name, vec3 point)
     plot_block(plot, name, "x y z");
     plot_row_point(plot, point);
     bool is_wrong = plot_block_end(plot);
-    define_label(plot, name, vec3_text_to(point, LABEL_DIGITS).s, is_wrong);
+    define_label(plot, name, vec3_shown(point).s, is_wrong);
     if (is_wrong)
         plot_fit(plot, point, 0);
 }
@@ -373,7 +351,7 @@ void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
     plot_block(plot, name, "x y z of its start, x y z of the vector");
     plot_row_vector(plot, from, vector);
     bool is_wrong = plot_block_end(plot);
-    define_label(plot, name, vec3_text_to(vector, LABEL_DIGITS).s, is_wrong);
+    define_label(plot, name, vec3_shown(vector).s, is_wrong);
     if (is_wrong)
         plot_fit(plot, from + vector, 0);
 }
@@ -388,27 +366,33 @@ void plot_direction(Plot *plot, const char *name, vec3 v)
         bool differs = define(plot, key, gnuplot_number(v[i]).s);
         is_wrong = is_wrong || differs;
     }
-    define_label(plot, name, vec3_text_to(v, LABEL_DIGITS).s, is_wrong);
+    define_label(plot, name, vec3_shown(v).s, is_wrong);
 }
 
 // ---- pairs of numbers -------------------------------------------------------------------------
 
-static void define_part(Plot *plot, const char *name, const char *part, double x)
+static void define_part(Plot *plot, const char *name, const char *part, double x, int digits)
 {
     char key[100];
     snprintf(key, sizeof key, "%s_%s", name, part);
-    plot_number_to(plot, key, x, TEXT_DIGITS);
+    plot_number_to(plot, key, x, digits);
 }
 
-void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
-               const char *second_name, double second)
+void plot_pair_to(Plot *plot, const char *name, const char *first_name, double first,
+                  const char *second_name, double second, int digits)
 {
     char columns[100];
     snprintf(columns, sizeof columns, "%s %s", first_name, second_name);
     plot_block(plot, name, columns);
     plot_row(plot, 2, (const double[]){first, second});
     bool is_wrong = plot_block_end(plot);
-    define_label(plot, name, pair_text(first, second).s, is_wrong);
-    define_part(plot, name, first_name, first);
-    define_part(plot, name, second_name, second);
+    define_label(plot, name, pair_shown_to(first, second, digits).s, is_wrong);
+    define_part(plot, name, first_name, first, digits);
+    define_part(plot, name, second_name, second, digits);
+}
+
+void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
+               const char *second_name, double second)
+{
+    plot_pair_to(plot, name, first_name, first, second_name, second, SHOWN_DIGITS);
 }

@@ -98,10 +98,10 @@ set yrange [-strip:height]
 
 # ---- text -----------------------------------------------------------------------------------------
 
-# Letters in italics, all else upright, and indices as large as the rest: math("d f − ½ w r"), math("t_0"). In
-# LaTeX, its own mathematics.
+# Letters in italics, all else upright, and indices smaller: math("d f − ½ w r"), math("t_0"). In LaTeX, its own
+# mathematics.
 is_letter(c) = strstrt("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", c) > 0
-italic(s) = strlen(s) == 0 ? "" : s[1:1] eq "_" ? "_{/*1.25 ".s[2:2]."}".italic(s[3:*]) : \
+italic(s) = strlen(s) == 0 ? "" : s[1:1] eq "_" ? "_{".s[2:2]."}".italic(s[3:*]) : \
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
 

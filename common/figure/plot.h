@@ -13,6 +13,7 @@
 
 #include "common/image.h"
 #include "common/options.h"
+#include "common/shown.h"
 #include "common/vec3.h"
 
 #include <stdio.h>
@@ -21,7 +22,7 @@ typedef struct Plot Plot;
 
 // ---- by name: numbers, words, points, vectors (plot.c) ----------------------------------------
 
-// NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to the given number.
+// NAME = x, and NAME_text = "x" as labels show it (common/shown.h).
 void plot_number(Plot *plot, const char *name, double x);
 void plot_number_to(Plot *plot, const char *name, double x, int digits);
 
@@ -34,7 +35,7 @@ bool plot_says_yours(const Plot *plot, const char *name);
 // NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
 void plot_text(Plot *plot, const char *name, const char *text);
 
-// NAME_text = "text": numbers in words, with minus signs for hyphens.
+// NAME_text = "label".
 void plot_label(Plot *plot, const char *name, const char *label);
 
 // $NAME: x y z, and NAME_text = "(x, y, z)".
@@ -47,10 +48,11 @@ void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
 void plot_direction(Plot *plot, const char *name, vec3 v);
 
 // $NAME: first second, NAME_text = "(first, second)", and the two alone as NAME_<first's name> and
-// NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400). Labels have
-// as many digits as the stories, so that no half pixel is lost.
+// NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400).
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
                const char *second_name, double second);
+void plot_pair_to(Plot *plot, const char *name, const char *first_name, double first,
+                  const char *second_name, double second, int digits);
 
 // ---- tables (plot.c) --------------------------------------------------------------------------
 
@@ -153,14 +155,15 @@ typedef struct {
     double part; // of a vector, 0 to 1: a place on it; ANYWHERE along it
     vec3 place;  // where block is NULL
     double ball; // or the ball of this radius there; without a label where it is tiny
+    vec3 aside;  // the number of a mark on an axis: straight in this direction of the world from
+                 // it, or in the other one; if neither is free, it has none
 } Label;
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);
 void plot_names(Plot *plot, const Label *labels, size_t count);
 
-// A paragraph below the canvas, in lines as long as the canvas is wide. Where it has numbers, with
-// minus signs for hyphens.
-void plot_below(Plot *plot, const char *color, const char *words, bool has_numbers);
+// A paragraph below the canvas, in lines as long as the canvas is wide.
+void plot_below(Plot *plot, const char *color, const char *words);
 
 // How wide the text of one line is, in units of the canvas.
 double plot_width(const Plot *plot, const char *text);

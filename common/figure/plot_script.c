@@ -73,9 +73,9 @@ static void keep_data(char *script)
         *end = '\0';
 }
 
-void plot_below(Plot *plot, const char *color, const char *words, bool has_numbers)
+void plot_below(Plot *plot, const char *color, const char *words)
 {
-    char *text = gnuplot_string(words, has_numbers);
+    char *text = gnuplot_string(words);
     int i = ++plot->paragraphs;
     fprintf(plot->strip, "strip_text[%d] = %s\nstrip_color[%d] = \"%s\"\n", i, text, i, color);
     free(text);
@@ -96,11 +96,11 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     fputs(DATA_END "\n", plot->script);
     bool placed = plot_view_end(plot);
     if (note != NULL && note[0] != '\0' && plot->wrong)
-        plot_below(plot, "ink", note, false);
+        plot_below(plot, "ink", note);
     fclose(plot->strip);
     fclose(plot->included);
     fclose(plot->script);
-    char *name = gnuplot_string(figure->name, false), *from = gnuplot_string(file, false);
+    char *name = gnuplot_string(figure->name), *from = gnuplot_string(file);
     fprintf(out, "name = %s\nlayout_file = %s\nwrong = %d\n", name, from, plot->wrong);
     free(name);
     free(from);
@@ -109,7 +109,7 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     if (plot_is_dragged(plot))
         fputs("dragged = 1\n", out);
     if (note != NULL && plot->wrong) {
-        char *said = gnuplot_string(note, false);
+        char *said = gnuplot_string(note);
         fprintf(out, "note = %s\n", said);
         free(said);
     }

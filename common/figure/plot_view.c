@@ -663,6 +663,14 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         label.from = moved(spot_of(view, shape, wanted->panel, mark->from + first * all), mark);
         label.to = moved(spot_of(view, shape, wanted->panel, mark->from + last * all), mark);
     }
+    if (vec3_length(wanted->label.aside) > 0) {
+        const Look *look = &view->look[wanted->panel];
+        double u = vec3_dot(look->u, wanted->label.aside),
+               v = vec3_dot(look->v, wanted->label.aside);
+        double length = hypot(u, v);
+        label.aside = length > 0 ? (Spot){u / length, v / length} : (Spot){0, 1};
+        label.says_what = strchr(wanted->text, '=') != NULL;
+    }
     measure_once(view, wanted);
     label.width = wanted->wide;
     label.height = wanted->high;
@@ -701,6 +709,8 @@ static void measure_over(PlotView *view, int shape)
         if (wanted[i].lines != 0 || wanted[i].number[shape] == NOWHERE)
             continue;
         PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
+        if (label.is_left_out)
+            continue;
         Area seen = view->seen[shape][wanted[i].panel], *over = &view->over[shape][wanted[i].panel];
         over->left = fmax(over->left, seen.left - (label.middle.u - label.width / 2));
         over->right = fmax(over->right, label.middle.u + label.width / 2 - seen.right);
@@ -783,6 +793,11 @@ static void place(PlotView *view, int shape)
     }
     memcpy(view->over[shape], best.over, sizeof best.over);
     place_in(view, shape, best.part, true);
+    Wanted *wanted = view->wanted.items;
+    for (int i = 0; i < view->wanted.count; i++)
+        if (wanted[i].lines == 0 && wanted[i].number[shape] != NOWHERE &&
+            labels_get(view->labels[shape], wanted[i].number[shape]).is_left_out)
+            wanted[i].number[shape] = NOWHERE;
 }
 
 // ---- what the script is told --------------------------------------------------------------------

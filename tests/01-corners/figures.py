@@ -4,7 +4,8 @@ import random
 
 from cameras import DECK, beside_right, corners, legs, options_of, some_camera
 from check import SHAPES, Checks, drawn, holds_for_every, nothing_collides, on_the_canvas
-from figure import Figure, label, label_of, plus, times
+from figure import Figure, plus, times
+from shown import shown, shown_vector
 
 checks = Checks("figures of 01-corners")
 
@@ -49,7 +50,7 @@ def camera_frame(c, options, shape):
     upper_left, upper_right, lower_right, _ = corners(c)
     arrow(figure, "upper edge", upper_left, upper_right, (0, 14))
     arrow(figure, "right edge", lower_right, upper_right, (14, 0))
-    checks.shows(figure, *(f"{name} = {label(c[name])}" for name in "dwh"), *"pruf", *"xyz")
+    checks.shows(figure, *(f"{name} = {shown(c[name])}" for name in "dwh"), *"pruf", *"xyz")
     axes(figure, c, middle)
 
 
@@ -82,7 +83,7 @@ def corner_vectors(c, options, shape):
     for title, (end, start) in way.items():
         checks.near(f"the arrow {title}", figure.tips(title), figure.place(place_of(c, *end)))
         arrow(figure, title, place_of(c, *start) if start else c["p"], place_of(c, *end))
-    checks.shows(figure, "= " + label_of(left), "= " + label_of(right),
+    checks.shows(figure, "= " + shown_vector(left), "= " + shown_vector(right),
                  "d f − (w/2) r + (h/2) u", "d f + (w/2) r + (h/2) u")
 
 
@@ -103,8 +104,8 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
     arrow(figure, "upward", place_of(c, 1, 0), place_of(c, 1, t), (14, 0))
     arrow(figure, "column", place_of(c, s, 0), point)
     arrow(figure, "row", place_of(c, 1, t), point)
-    checks.shows(figure, f"{label(100 * s)} %", f"{label(100 * t)} %", f"s = {label(s)}", f"t = {label(t)}",
-                 "d f + (s − ½) w r + (t − ½) h u", f"= {label_of(vector)}")
+    checks.shows(figure, f"{shown(100 * s)} %", f"{shown(100 * t)} %", f"s = {shown(s)}", f"t = {shown(t)}",
+                 "d f + (s − ½) w r + (t − ½) h u", f"= {shown_vector(vector)}")
 
 
 def double_dwh(c, options, shape, s=0.3, t=0.1):
@@ -122,8 +123,8 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     checks.near("the rays", [stroke[-1] for stroke in figure.strokes("rays")], [figure.place(p) for p in ends])
     checks.near("the ray", figure.tips("one ray"),
                 figure.place(plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), far)))
-    checks.shows(figure, *(f"{n} = {label(c[n])}" for n in "dwh"), *(f"2 {n} = {label(2 * c[n])}" for n in "dwh"),
-                 *(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
+    checks.shows(figure, *(f"{n} = {shown(c[n])}" for n in "dwh"), *(f"2 {n} = {shown(2 * c[n])}" for n in "dwh"),
+                 *(f"{n}/d = {shown(c[n] / c['d'])}" for n in "dwh"))
     for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", 1 / c["d"])):
         upper_left, upper_right, lower_right, _ = (
             plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c))
@@ -188,6 +189,6 @@ for i in range(int(os.environ.get("CAMERAS", "5"))):
     yours_and_right(camera, options_of(camera))
 is_said(yours_and_right(DECK, OPTIONS), "off by (1, 1, 0) = ½ w r + ½ h u")
 is_said(yours_and_right(DECK, [*OPTIONS, "--yours", "-0.4,0.8,4"], (-0.4, 0.8, 4)), "off by (0, 1.6, 0) = 4/5 h u")
-is_said(yours_and_right(DECK, [*OPTIONS, "--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.257, 0)")
+is_said(yours_and_right(DECK, [*OPTIONS, "--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.2567, 0)")
 holds_for_every(checks, "01-corners", "yours-and-right")
 checks.end()

@@ -5,7 +5,8 @@ import random
 
 from cameras import DECK, beside_right, corners, options_of, some_camera
 from check import SHAPES, Checks, drawn, holds_for_every, nothing_collides
-from figure import cross, dot, label, label_of, length, plus, times, unit
+from figure import cross, dot, length, plus, times, unit
+from shown import shown, shown_vector
 
 checks = Checks("figures of 02-cameras")
 FORMS = ("look-at", "points", "corner", "vectors")  # panels 1 to 4
@@ -53,14 +54,14 @@ def camera_forms(c, options, shape, up=None):
                 [plus(place("look-at", p), (0, 12)) for p in (upper_left, upper_right)])
 
     labels = [words for words, _, _ in figure.labels()]
-    found = f"d = {label(c['d'])}, w = {label(c['w'])}, h = {label(c['h'])}"
+    found = f"d = {shown(c['d'])}, w = {shown(c['w'])}, h = {shown(c['h'])}"
     checks.that("the common result is shown", f"each gives {found}" in labels, f"{found!r} is not in {labels}")
     checks.that("each form's result is in the words", figure.in_words()[1].count(found) == 4, found)
-    for text in (f"w = {label(c['w'])}", f"w/h = {label(c['w'] / c['h'])}"):
+    for text in (f"w = {shown(c['w'])}", f"w/h = {shown(c['w'] / c['h'])}"):
         checks.that(f"a label says {text!r}", text in labels, str(labels))
     _, words = figure.in_words()
     for v in (c["p"], middle, up, lower_left, times(c["w"], c["r"]), times(c["h"], c["u"])):
-        checks.that(f"{label_of(v)} is in the words", label_of(v) in words, words)
+        checks.that(f"{shown_vector(v)} is in the words", shown_vector(v) in words, words)
 
 
 def look_at(c, options, shape, up=None):

@@ -3,7 +3,8 @@ import os
 import random
 
 from check import Checks, holds_for_every, labels_are_clear
-from figure import Figure, number, pair
+from figure import Figure
+from shown import place_digits, shown, shown_vector
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
@@ -44,12 +45,13 @@ def screen_to_unit(size, at, options):
                                ("s of the point", square, (0, t), (s, t)), ("t of the point", square, (s, 0), (s, t)),
                                ("from the top", square, (s, 1), (s, t))):
         checks.stroke(figure, title, panel(*a), panel(*b))
-    y_text = f"({number(y)})" if y < 0 else number(y)
-    checks.shows(figure, pair(x, y), number(x), number(y), number(across), number(down), f"s = x/{number(across)}",
-                 f"t = 1 − y/{number(down)}", f"s = {number(x)}/{number(across)} = {number(s)}",
-                 f"t = 1 − {y_text}/{number(down)} = {number(t)}")
+    digits = place_digits(across, down)
+    y_text = f"({shown(y)})" if y < 0 else shown(y)
+    checks.shows(figure, shown_vector((x, y)), shown(x), shown(y), shown(across), shown(down), f"s = x/{shown(across)}",
+                 f"t = 1 − y/{shown(down)}", f"s = {shown(x)}/{shown(across)} = {shown(s, digits)}",
+                 f"t = 1 − {y_text}/{shown(down)} = {shown(t, digits)}")
     words = figure.in_words()[1]
-    for text in (f"{number(across)} by {number(down)} pixels", pair(x, y), pair(s, t)):
+    for text in (f"{shown(across)} by {shown(down)} pixels", shown_vector((x, y)), shown_vector((s, t), digits)):
         checks.that(f"the words have {text}", text in words, words)
 
 
@@ -88,8 +90,9 @@ def pixel_grid(size, pixel, options):
     checks.near("from the centre to its t", figure.line("to t"), [middle, (side, middle[1])])
     checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
     checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
-    checks.shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
-                 f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
+    digits = place_digits(across, down)
+    checks.shows(figure, f"pixel {shown_vector((column, row))}", f"centre {shown_vector((x, y))}", f"s = ({column} + ½)/{across}",
+                 f"t = 1 − ({row} + ½)/{down}", f"= {shown(s, digits)}", f"= {shown(t, digits)}")
     if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
         left, bottom = panel(0, -down)
         right, top = panel(across, 0)
@@ -101,7 +104,7 @@ def pixel_grid(size, pixel, options):
 
 DECK = ["--size", "640x480", "--point", "300,400"]  # the lecture may have another example
 screen_to_unit((640, 480), (300, 400), DECK)
-checks.that("the deck's answer", "(0.46875, 0.166667)" in Figure("03-screen", "screen-to-unit", *DECK).in_words()[1])
+checks.that("the deck's answer", "(0.46875, 0.1667)" in Figure("03-screen", "screen-to-unit", *DECK).in_words()[1])
 pixel_grid((8, 6), (3, 4), [])
 pixel_grid((640, 480), (300, 400), DECK)
 pixel_grid((1, 1), (0, 0), ["--size", "1x1"])

@@ -4,7 +4,8 @@ import random
 
 from cameras import DECK, corners, options_of, some_camera
 from check import Checks, holds_for_every, labels_are_clear
-from figure import Figure, label_of, number, pair, plus, times
+from figure import Figure, plus, times
+from shown import place_digits, shown, shown_vector
 
 checks = Checks("figures of 04-pixel-ray")
 DOT = 0.05  # canvas units
@@ -80,16 +81,16 @@ def pixel_to_ray(c, size, pixel, options):
     lens_and_screen(figure, size, pixel)
     unit_square(figure, s, t)
     world(figure, c, s, t)
-    labels = [text for text, _, _ in figure.labels()]
-    for text in (f"pixel {pair(*pixel)}", f"centre {pair(column + 0.5, row + 0.5)}", f"s = x/{across} = {number(s)}",
-                 f"t = 1 − y/{down} = {number(t)}", "pixel", "screen", "(s, t)", "p", "v", "p + t v"):
+    labels, digits = [text for text, _, _ in figure.labels()], place_digits(across, down)
+    for text in (f"pixel {shown_vector(pixel)}", f"centre {shown_vector((column + 0.5, row + 0.5))}", f"s = x/{across} = {shown(s, digits)}",
+                 f"t = 1 − y/{down} = {shown(t, digits)}", "pixel", "screen", "(s, t)", "p", "v", "p + t v"):
         checks.that(f"the label {text!r}", text in labels, str(labels))
     if c is DECK:  # a number that is 0 except for rounding has other digits on other machines
-        vector = label_of(toward(c, s, t))
+        vector = shown_vector(toward(c, s, t))
         for text in ("v = d f + (s − ½) w r", "+ (t − ½) h u", f"= {vector}", "ray p + t v from (2, 2, −4)"):
             checks.that(f"the vector's and the ray's label {text!r}", text in labels, str(labels))
         words = figure.in_words()[1]
-        for text in (pair(column + 0.5, row + 0.5), pair(s, t), vector):
+        for text in (shown_vector((column + 0.5, row + 0.5)), shown_vector((s, t), digits), vector):
             checks.that(f"the words have {text}", text in words, words)
 
 

@@ -6,9 +6,11 @@ the line, the rest is Pythagoras. The drawn sphere gives the scale and the place
 import math
 import os
 import random
+import re
 
 from check import Checks, holds_for_every, labels_are_clear
 from figure import Figure, cross, dot, length, plus, times, unit
+from shown import NUMBER, read
 
 checks = Checks("figures of 05-quadratic")
 P = "05-quadratic"
@@ -91,13 +93,21 @@ class Panel:
             checks.that(what + " is on the circle", abs(math.dist(point, self.middle) - self.radius) < 0.3)
 
 
-def minus(text):
-    return text.replace("-", "−")
-
-
 def has_label(figure, what, wanted):
     found = [text for text, _, _ in figure.labels()]
     checks.that(f"{what}: there is {wanted!r}", any(wanted in text for text in found), str(found))
+
+
+def coefficients_shown(figure, m):
+    """With those that are shown, a reader finds the discriminant."""
+    labels = [text for text, _, _ in figure.labels()]
+    found = [re.fullmatch(re.escape(what) + f" = ({NUMBER})", label)
+             for what in ("a = v·v", "b = 2 p·v", "c = p·p − r²", "b² − 4 a c") for label in labels]
+    found = [read(each[1]) for each in found if each]
+    checks.that("a, b, c and the discriminant are labels", len(found) == 4, str(labels))
+    checks.same("with the right numbers", found[:3], m.coefficients()[:3], within=1e-3)
+    a, b, c, discriminant = found if len(found) == 4 else (0, 0, 0, 0)
+    checks.that("which go together", abs(b * b - 4 * a * c - discriminant) <= 0.011 * abs(discriminant) + 1e-9 * b * b, str(found))
 
 
 def has_numbers(figure, prefix, m):
@@ -159,9 +169,7 @@ def ray_sphere(m, settings=""):
     lines = figure.lines("marks of t")
     middles = [((x + u) / 2, (y + v) / 2) for line in lines for (x, y), (u, v) in zip(line[::2], line[1::2])]
     checks.near("the marks of t", middles, [panel.place(m.at(row[3])) for row in ticks])
-    a, b, c, _ = m.coefficients()
-    for what, x in (("a = v·v", a), ("b = 2 p·v", b), ("c = p·p − r²", c)):
-        has_label(figure, "the corner", f"{what} = {minus(f'{round(x, 9) + 0.0:.6g}')}")
+    coefficients_shown(figure, m)
 
 
 def parabola(m):

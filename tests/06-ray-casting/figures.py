@@ -13,6 +13,7 @@ import tempfile
 import png
 from check import NEAR, Checks, holds_for_every, labels_are_clear
 from figure import Figure, PROGRAMS, cross, dot, length, plus, times
+from shown import shown as number_shown
 
 PROGRAM = "06-ray-casting"
 checks = Checks("figures of 06-ray-casting")
@@ -308,11 +309,11 @@ def ray_casting(scene, pixel, options=None):
     checks.that("no label is only a number", not any(
         re.fullmatch(r"-?[0-9.]+", text) for text, _, _ in figure.labels()), texts)
     for t, sphere in hits[:4]:
-        name = f"{t:.4g}, sphere {chr(ord('A') + sphere)}"
+        name = f"{number_shown(t)}, sphere {chr(ord('A') + sphere)}"
         checks.that("the t of a hit is in the words", name in texts, f"{name} in {texts}")
     if hits:
         checks.same("the pixel's colour", [figure.number("pixel_rgb")], [rgb(world.color(v))])
-        checks.that("the closest is named", f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}: closest" in texts)
+        checks.that("the closest is named", f"{number_shown(hits[0][0])}, sphere {chr(ord('A') + hits[0][1])}: closest" in texts)
     end = max([1.2 * nearer] + [1.1 * t for t, _ in hits[:4]])
     if hits:
         checks.near("the ray's end", along[-1:], [figure.place(plus(world.eye, v, end))])
@@ -458,7 +459,7 @@ def nearest_hit(scene, pixel, options=None):
         for ends in (world.roots(v, i) for i in circles) if ends))
     parts_of_circles(figure, place, [circles[i] for i in parts], (low_x, high_x, low_y, high_y))
     if hits:
-        words = f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}"
+        words = f"{number_shown(hits[0][0])}, sphere {chr(ord('A') + hits[0][1])}"
         checks.that("the smallest t is in the words", any(text.startswith("smallest") and text.endswith(words)
                                                   for text, _, _ in figure.labels()), words)
 
@@ -491,10 +492,10 @@ def explain_figure(scene, pixel, options=None):
                                                              for k in range(1, int(figure.number("told")) + 1))]
     for i in explained:
         ends = world.roots(v, i)
-        fate = "missed" if ends is None else "behind the eye" if ends[1] <= 0 else f"t = {ends[0]:.4g}, {ends[1]:.4g}"
-        line = f"{chr(ord('A') + i)}: {fate}".replace("-", "−")
+        fate = "missed" if ends is None else "behind the eye" if ends[1] <= 0 else f"t = {number_shown(ends[0])}, {number_shown(ends[1])}"
+        line = f"{chr(ord('A') + i)}: {fate}"
         checks.that("what becomes of each sphere is in the words", line in lines, f"{line!r}, not in {lines}")
-    nearest = f"smallest t: {hits[0][0]:.4g}, {chr(ord('A') + hits[0][1])}" if hits else "no hit: background"
+    nearest = f"smallest t: {number_shown(hits[0][0])}, {chr(ord('A') + hits[0][1])}" if hits else "no hit: background"
     checks.that("and which hit is the closest", nearest in lines, f"{nearest!r}, not in {lines}")
     bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
     checks.that("the colour is in the words", f"colour {bytes_text}" in lines, str(lines))

@@ -122,13 +122,13 @@ static Places shown(Places places, Range *x, double unit)
 
 static Text place_words(Places places, bool all_shown)
 {
-    Text text, first = number_text(places.t[0]);
+    Text text, first = number_shown_to(places.t[0], TEXT_DIGITS);
     const char *beyond = all_shown ? "" : " (not in the figure)";
     if (places.count == 0)
         snprintf(text.s, sizeof text.s, places.kind == ROOTS ? "no root" : "no hit");
     else if (places.count == 2)
         snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", first.s,
-                 number_text(places.t[1]).s, beyond);
+                 number_shown_to(places.t[1], TEXT_DIGITS).s, beyond);
     else if (places.kind == HIT)
         snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere, first.s, beyond);
     else
@@ -142,7 +142,8 @@ static void say_places(Plot *plot, const Wrong *wrong, Places right, Places your
 {
     Text off = {""};
     if (right.count == 1 && yours.count == 1 && isfinite(right.t[0]) && isfinite(yours.t[0]))
-        snprintf(off.s, sizeof off.s, "off by %.60s", number_text_to(yours.t[0] - right.t[0], 4).s);
+        snprintf(off.s, sizeof off.s, "off by %.60s",
+                 number_shown_to(yours.t[0] - right.t[0], 4).s);
     say(plot, wrong,
         (BesideWords){place_words(right, true).s, place_words(yours, seen.count == yours.count).s,
                       off.s, seen.count > 0 ? drawn : ""});
@@ -187,10 +188,8 @@ static void axis_ticks(Plot *plot, const Axis *axis)
         axis_row(plot, axis, n * step);
         if (is_taken(axis->right, n * step, step) || is_taken(axis->yours, n * step, step))
             continue;
-        char words[200];
-        snprintf(words, sizeof words, "%s", number_text_to(n * step, 10).s);
-        replace_all(words, sizeof words, "-", "\u2212");
-        plot_name(plot, (Label){words, "grey", .block = "ticks", .row = row});
+        plot_name(plot, (Label){number_shown_to(n * step, 10).s, "grey", .block = "ticks",
+                                .row = row, .aside = vec3_of(0, 1, 0)});
     }
     plot_block_end(plot);
 }
@@ -267,8 +266,8 @@ static void write_spheres(Plot *plot, const Section *section, Range *x, Range *y
         plot_circle(plot, vec3_of(ahead, aside, 0), r);
         plot_fit(plot, vec3_of(ahead, aside, 0), r);
         if (section->has_names && i < MOST_NAMES)
-            plot_name(plot, (Label){number_text(i).s, "grey", .place = vec3_of(ahead, aside, 0),
-                                    .ball = r});
+            plot_name(plot, (Label){number_shown_to(i, TEXT_DIGITS).s, "grey",
+                                    .place = vec3_of(ahead, aside, 0), .ball = r});
         *x = i == 0 ? (Range){ahead - r, ahead + r} : *x;
         range_add(x, ahead - r);
         range_add(x, ahead + r);
@@ -397,8 +396,9 @@ static int write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range
 static Text quadratic_words(Quadratic q)
 {
     Text text;
-    snprintf(text.s, sizeof text.s, "a = %.40s, b = %.40s, c = %.40s", number_text(q.a).s,
-             number_text(q.b).s, number_text(q.c).s);
+    snprintf(text.s, sizeof text.s, "a = %.40s, b = %.40s, c = %.40s",
+             number_shown_to(q.a, TEXT_DIGITS).s, number_shown_to(q.b, TEXT_DIGITS).s,
+             number_shown_to(q.c, TEXT_DIGITS).s);
     return text;
 }
 
@@ -487,8 +487,10 @@ static void write_panel(Plot *plot, const char *name, Panel panel)
 static void name_panel(Plot *plot, const char *name, Panel panel)
 {
     ScreenRectangle box = panel.box;
-    plot_name(plot, (Label){pair_text(box.left, box.top).s, "grey", .block = name, .row = 0});
-    plot_name(plot, (Label){pair_text(box.right, box.bottom).s, "grey", .block = name, .row = 2});
+    plot_name(plot, (Label){pair_shown_to(box.left, box.top, TEXT_DIGITS).s, "grey", .block = name,
+                            .row = 0});
+    plot_name(plot, (Label){pair_shown_to(box.right, box.bottom, TEXT_DIGITS).s, "grey",
+                            .block = name, .row = 2});
 }
 
 static const Panel unit_square = {{0, 1, 0, 1}, false};
@@ -507,7 +509,7 @@ static void get_pair(Numbers *numbers, double pair[2])
 static void write_dot(Plot *plot, const char *name, Panel panel, const double place[2])
 {
     plot_point(plot, name, drawn(panel, place));
-    plot_label(plot, name, pair_text(place[0], place[1]).s);
+    plot_label(plot, name, pair_shown_to(place[0], place[1], TEXT_DIGITS).s);
     plot_fit(plot, drawn(panel, place), 0);
 }
 
@@ -563,10 +565,10 @@ static bool draw_place(Plot *plot, Wrong *wrong)
     double by[2]; // rounding is not a difference
     for (int i = 0; i < 2; i++)
         by[i] = same_within(yours[i], right[i], 1e-12) ? 0 : yours[i] - right[i];
-    snprintf(off.s, sizeof off.s, "off by %.100s", pair_text(by[0], by[1]).s);
+    snprintf(off.s, sizeof off.s, "off by %.100s", pair_shown_to(by[0], by[1], TEXT_DIGITS).s);
     say(plot, wrong,
-        (BesideWords){pair_text(right[0], right[1]).s, pair_text(yours[0], yours[1]).s, off.s,
-                      "as a ring"});
+        (BesideWords){pair_shown_to(right[0], right[1], TEXT_DIGITS).s,
+                      pair_shown_to(yours[0], yours[1], TEXT_DIGITS).s, off.s, "as a ring"});
     return true;
 }
 
@@ -610,8 +612,9 @@ static void write_outline(Plot *plot, Camera c, Resolution screen, Sphere sphere
 static Text box_words(ScreenRectangle box)
 {
     Text text;
-    snprintf(text.s, sizeof text.s, "x %.30s to %.30s, y %.30s to %.30s", number_text(box.left).s,
-             number_text(box.right).s, number_text(box.top).s, number_text(box.bottom).s);
+    snprintf(text.s, sizeof text.s, "x %.30s to %.30s, y %.30s to %.30s",
+             number_shown_to(box.left, TEXT_DIGITS).s, number_shown_to(box.right, TEXT_DIGITS).s,
+             number_shown_to(box.top, TEXT_DIGITS).s, number_shown_to(box.bottom, TEXT_DIGITS).s);
     return text;
 }
 
@@ -707,10 +710,10 @@ static Text ray_words(Ray ray, bool with_origin)
 {
     Text text;
     if (with_origin)
-        snprintf(text.s, sizeof text.s, "from %.60s along %.60s", vec3_text_to(ray.origin, 4).s,
-                 vec3_text_to(ray.direction, 4).s);
+        snprintf(text.s, sizeof text.s, "from %.60s along %.60s", vec3_shown_to(ray.origin, 4).s,
+                 vec3_shown_to(ray.direction, 4).s);
     else
-        snprintf(text.s, sizeof text.s, "%s", vec3_text(ray.direction).s);
+        snprintf(text.s, sizeof text.s, "%s", vec3_shown_to(ray.direction, TEXT_DIGITS).s);
     return text;
 }
 
@@ -724,9 +727,9 @@ static Text ray_off(Ray right, Ray yours)
         snprintf(text.s, sizeof text.s,
                  angle < 1e-6 ? "starts off by %.60s"
                               : "starts off by %.60s, points off by %.40s\u00b0",
-                 vec3_text_to(off, 4).s, number_text_to(angle, 3).s);
+                 vec3_shown_to(off, 4).s, number_shown_to(angle, 3).s);
     else
-        snprintf(text.s, sizeof text.s, "points off by %.40s\u00b0", number_text_to(angle, 3).s);
+        snprintf(text.s, sizeof text.s, "points off by %.40s\u00b0", number_shown_to(angle, 3).s);
     return text;
 }
 
@@ -760,7 +763,8 @@ static bool draw_vector(Plot *plot, Wrong *wrong)
         yours = as_long_as(yours, right);
     } else {
         say(plot, wrong,
-            (BesideWords){vec3_text(right.direction).s, vec3_text(yours.direction).s,
+            (BesideWords){vec3_shown_to(right.direction, TEXT_DIGITS).s,
+                          vec3_shown_to(yours.direction, TEXT_DIGITS).s,
                           beside_off(c, yours.direction - right.direction).s, "dashed"});
     }
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
@@ -840,16 +844,16 @@ static void compare_vectors(Text *right, Text *yours, const char *name, vec3 a, 
 {
     if (is_same_place(b, a))
         return;
-    add_part(right, name, vec3_text_to(a, 4).s);
-    add_part(yours, name, vec3_text_to(b, 4).s);
+    add_part(right, name, vec3_shown_to(a, 4).s);
+    add_part(yours, name, vec3_shown_to(b, 4).s);
 }
 
 static void compare_numbers(Text *right, Text *yours, const char *name, double a, double b)
 {
     if (fabs(a - b) <= 1e-9 * (1 + fabs(a)))
         return;
-    add_part(right, name, number_text_to(a, 4).s);
-    add_part(yours, name, number_text_to(b, 4).s);
+    add_part(right, name, number_shown_to(a, 4).s);
+    add_part(yours, name, number_shown_to(b, 4).s);
 }
 
 // Only what differs.

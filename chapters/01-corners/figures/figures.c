@@ -318,7 +318,7 @@ static void yours_and_right(Plot *plot, void *given)
     plot_text(plot, "asked", "across_30_up_10");
     plot_text(plot, "why", example ? "Is (0, 0) the corner or the centre?" : "");
     beside_vectors(plot, c.origin, right, c.origin, yours);
-    beside_words(plot, (BesideWords){vec3_text(right).s, vec3_text(yours).s,
+    beside_words(plot, (BesideWords){vec3_shown(right).s, vec3_shown(yours).s,
                                      beside_off(c, yours - right).s, "dashed"});
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
     plot_handle(plot, (Handle){.words = "your vector",

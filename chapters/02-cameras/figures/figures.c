@@ -34,8 +34,8 @@ static void plot_words(Plot *plot, Found found)
     Text words;
     if (found.fault == CAMERA_OK)
         snprintf(words.s, sizeof words.s, "d = %.40s, w = %.40s, h = %.40s",
-                 number_text_to(found.camera.distance, 4).s,
-                 number_text_to(found.camera.width, 4).s, number_text_to(found.camera.height, 4).s);
+                 number_shown(found.camera.distance).s, number_shown(found.camera.width).s,
+                 number_shown(found.camera.height).s);
     else
         snprintf(words.s, sizeof words.s, "no camera");
     snprintf(name, sizeof name, "%s_found", found.form);

@@ -3,6 +3,7 @@
 // Blocks in x and y are in screen coordinates: y counts down. The layouts draw it that way.
 #include "chapters/03-screen/figures/figures.h"
 
+#include "chapters/shared/digits.h"
 #include "exercises/03-screen.h"
 
 #include <stdio.h>
@@ -79,7 +80,7 @@ static void screen_to_unit(Plot *plot, void *given)
     Normalized place = screen_to_normalized(spot->point, spot->screen);
     screen_data(plot, spot->screen);
     plot_pair(plot, "point", "x", spot->point.x, "y", spot->point.y);
-    plot_pair(plot, "place", "s", place.s, "t", place.t);
+    plot_pair_to(plot, "place", "s", place.s, "t", place.t, place_digits(spot->screen));
     plot_look_flat(plot);
     plot_room(plot, (Room){0.03, 0.41, 0.24, 0.84}, (Room){0.02, 0.40, 0.24, 0.84});
     point_panel(plot, (PointPanel){"screen_outline", "screen_origin", "x", "y", spot->screen.width,
@@ -206,7 +207,7 @@ static void pixel_grid(Plot *plot, void *given)
     screen_data(plot, screen);
     plot_pair(plot, "pixel", "column", pixel.column, "row", pixel.row);
     plot_pair(plot, "center", "x", center.x, "y", center.y);
-    plot_pair(plot, "place", "s", place.s, "t", place.t);
+    plot_pair_to(plot, "place", "s", place.s, "t", place.t, place_digits(screen));
     plot_block(plot, "sample", "x y of the centre, s t of the same");
     plot_row(plot, 4, (const double[]){center.x, center.y, place.s, place.t});
     plot_block_end(plot);

@@ -16,7 +16,6 @@ left = U(1, begin_x); right_edge = U(1, end_x); top = V(1, -begin_y); bottom = V
 AT(s) = U(1, s * screen_W)
 UP(t) = V(1, (t - 1) * screen_H)
 axis_gap = 12
-short(x) = x < 0.01 ? sprintf("%.5f", x) : sprintf("%.4g", x)
 # If there is no room for the number of each column, only every second or fifth one is numbered, and
 # always the pixel's.
 every(long) = long < size[1] ? 1 : long < 2 * size[1] ? 2 : 5
@@ -59,10 +58,10 @@ plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with fil
     @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @axis lc rgb orange title "s axis", \
     @step4 $once using (most(right_edge+26,AT(place_s)+66)):(bottom-34):(math("s")) with labels tc rgb orange title "s", \
     @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @stroke lc rgb orange dt dash(who) title "to s", \
-    @step4 $sample index 0 using (AT($3)):(bottom-34):(short($3)) with labels tc rgb orange title "s of the center", \
+    @step4 $sample index 0 using (AT($3)):(bottom-34):(place_s_text) with labels tc rgb orange title "s of the center", \
     @step4 for [end=0:2*whole-1] $once using (AT(end)):(bottom-34):(abs(end-place_s)*size[1]*screen_W<70?"":sprintf("%d",end)) with labels tc rgb orange title "s of the edge", \
     @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @axis lc rgb green title "t axis", \
     @step5 $once using (t_x):(top+20):(math("t")) with labels tc rgb green title "t", \
     @step5 @who $sample index who using (U(1,$1)):(V(1,-$2)):(right_edge+axis_gap-U(1,$1)):(UP($4)-V(1,-$2)) with @stroke lc rgb green dt dash(who) title "to t", \
-    @step5 $sample index 0 using (right_edge+22):(UP($4)):(short($4)) with labels left tc rgb green title "t of the center", \
+    @step5 $sample index 0 using (right_edge+22):(UP($4)):(place_t_text) with labels left tc rgb green title "t of the center", \
     @step5 for [end=0:2*whole-1] $once using (right_edge+22):(UP(end)):(abs(end-place_t)*size[1]*screen_H<28?"":sprintf("%d",end)) with labels left tc rgb green title "t of the edge"

@@ -3,7 +3,7 @@
 #include "chapters/04-pixel-ray/figures/figures.h"
 
 #include "chapters/shared/camera_drawing.h"
-#include "common/text.h"
+#include "chapters/shared/digits.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
@@ -75,7 +75,7 @@ static vec3 vector_data(Plot *plot, Camera c, Normalized place)
     vec3 there = image_plane_vector(c, place.s, place.t);
     vec3 left = image_plane_vector(c, 0, place.t), below = image_plane_vector(c, place.s, 0);
     plot_vector(plot, "vector", c.origin, there);
-    plot_label(plot, "v", vec3_text(there).s);
+    plot_label(plot, "v", vec3_shown(there).s);
     plot_vector(plot, "along_s", c.origin + left, there - left);
     plot_vector(plot, "along_t", c.origin + below, there - below);
     // A wrong place may be far away, and would make everything else too small to see.
@@ -91,20 +91,20 @@ static vec3 vector_data(Plot *plot, Camera c, Normalized place)
 }
 
 // Of the user's answers, the first link of the chain that is wrong.
-static void yours(Plot *plot, ScreenPoint center, Normalized place, vec3 vector, vec3 origin)
+static void yours(Plot *plot, ScreenPoint center, Text place, vec3 vector, vec3 origin)
 {
     const struct {
         const char *name, *words;
         Text value;
-    } links[] = {{"center", "centre", pair_text(center.x, center.y)},
-                 {"place", "(s, t) =", pair_text(place.s, place.t)},
-                 {"v", "v =", vec3_text(vector)},
-                 {"origin", "p =", vec3_text_to(origin, 4)}};
+    } links[] = {{"center", "centre", pair_shown(center.x, center.y)},
+                 {"place", "(s, t) =", place},
+                 {"v", "v =", vec3_shown(vector)},
+                 {"origin", "p =", vec3_shown(origin)}};
     for (size_t i = 0; i < sizeof links / sizeof *links; i++)
         if (plot_says_yours(plot, links[i].name)) {
             char words[300];
             snprintf(words, sizeof words, "yours: %s %s", links[i].words, links[i].value.s);
-            plot_below(plot, "ink", words, true);
+            plot_below(plot, "ink", words);
             return;
         }
 }
@@ -132,13 +132,14 @@ static void pixel_to_ray(Plot *plot, void *given)
     ScreenPoint center = pixel_center(aim->pixel);
     Normalized place = screen_to_normalized(center, aim->screen);
     Ray ray = ray_to_plane(pixel_ray(c, aim->screen, aim->pixel), c);
+    int digits = place_digits(aim->screen);
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
     plot_room(plot, (Room){0.03, 0.61, 0.04, 0.58}, (Room){0.03, 0.97, 0.28, 0.60});
     plane_data(plot, c, 1, 1);
     plot_pair(plot, "screen", "W", aim->screen.width, "H", aim->screen.height);
     plot_pair(plot, "pixel", "column", aim->pixel.column, "row", aim->pixel.row);
     plot_pair(plot, "center", "x", center.x, "y", center.y);
-    plot_pair(plot, "place", "s", place.s, "t", place.t);
+    plot_pair_to(plot, "place", "s", place.s, "t", place.t, digits);
     plot_point(plot, "origin", ray.origin);
     plot_vector(plot, "ray", ray.origin, FAR * ray.direction);
     vec3 vector = vector_data(plot, c, place);
@@ -157,7 +158,7 @@ static void pixel_to_ray(Plot *plot, void *given)
     };
     plot_say(plot, 0.82, 1, pixel, 4);
     plot_say(plot, 1, 0, sum, 4);
-    yours(plot, center, place, vector, ray.origin);
+    yours(plot, center, pair_shown_to(place.s, place.t, digits), vector, ray.origin);
     pixel_handle(plot, aim, vector);
     camera_handles(plot, c);
 }

@@ -143,7 +143,7 @@ static void data(Plot *plot, const Panels *panels)
         Meeting one = situation(panels, i);
         char prefix[20];
         snprintf(prefix, sizeof prefix, "panel%d_", i + 1);
-        coefficient_numbers(plot, prefix, quadratic_of(&one), 4);
+        coefficient_numbers(plot, prefix, quadratic_of(&one));
         root_numbers(plot, prefix, quadratic_roots(quadratic_of(&one)));
         plot_number(plot, joined(prefix, "hit"), hit_sphere(one.ray, one.sphere));
         plot_number(plot, joined(prefix, "x"), one.ray.origin[0]);

@@ -1,13 +1,13 @@
 // figures.c - the data of the figures of chapter 05.
 #include "chapters/05-quadratic/figures/figures.h"
 
+#include "chapters/shared/digits.h"
 #include "chapters/shared/example.h"
-#include "common/text.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { DIGITS = 6, SAMPLES = 400 };
+enum { SAMPLES = 400 };
 
 // ---- the plane through a ray and the centre of a sphere -----------------------------------------
 
@@ -268,17 +268,6 @@ static void section_names(Plot *plot, const Section *s, int sphere_step)
     plot_names(plot, labels, sizeof labels / sizeof *labels - !ends);
 }
 
-// With minus signs for hyphens.
-static Text tick_text(double t)
-{
-    Text number = number_text_to(t, 10), text;
-    size_t size = 0;
-    for (const char *c = number.s; *c != '\0'; c++)
-        size +=
-            (size_t)snprintf(text.s + size, sizeof text.s - size, *c == '-' ? "\u2212" : "%c", *c);
-    return text;
-}
-
 // Writes $ticks, the marks of t, and their numbers from a step on, except those that are too near
 // to one of these.
 static void section_marks(Plot *plot, const Section *s, int step, int count, const double *taken)
@@ -289,8 +278,9 @@ static void section_marks(Plot *plot, const Section *s, int step, int count, con
         for (int k = 0; k < count; k++)
             is_clear = is_clear && !(fabs(tick(s, i) - taken[k]) < 0.2 * s->stride);
         if (is_clear)
-            plot_name(plot, (Label){tick(s, i) == 0 ? "$t$ = 0" : tick_text(tick(s, i)).s, "grey",
-                                    .step = step, .block = "ticks", .row = i});
+            plot_name(plot,
+                      (Label){tick(s, i) == 0 ? "$t$ = 0" : number_shown_to(tick(s, i), 10).s,
+                              "grey", .step = step, .block = "ticks", .row = i, .aside = s->off});
     }
 }
 
@@ -338,12 +328,11 @@ static void verdict(Plot *plot, Roots roots, double hit, double away)
 {
     char words[200];
     if (hit > 0 && hit < NO_HIT)
-        snprintf(words, sizeof words, "t = %s is the hit",
-                 number_text_to(hit, root_digits(roots)).s);
+        snprintf(words, sizeof words, "%s is the hit", number_shown_to(hit, root_digits(roots)).s);
     else if (roots_shown(roots) > 0)
         snprintf(words, sizeof words, "no root > 0: no hit");
     else
-        snprintf(words, sizeof words, "no root: C is %s away", number_text_to(away, 4).s);
+        snprintf(words, sizeof words, "no root: C is %s away", number_shown(away).s);
     plot_label(plot, "verdict", words);
 }
 
@@ -376,9 +365,12 @@ static void ray_sphere_labels(Plot *plot, const Section *s)
     plot_names(plot, roots, touches ? 1 : 2);
     section_marks(plot, s, 1, 3, taken);
     const Label words[] = {
-        {"$|p + t v|² = r²$", "ink", .step = 3},   {"$a = v·v =$ {a!}", "ink", .step = 3},
-        {"$b = 2 p·v =$ {b!}", "ink", .step = 3},  {"$c = p·p − r² =$ {c!}", "ink", .step = 3},
-        {"$b² − 4 a c =$ {D!}", "ink", .step = 3}, {"{verdict!}", "blue", .step = 5},
+        {"$|p + t v|² = r²$", "ink", .step = 3},
+        {"$a = v·v =$ {a!}", "ink", .step = 3},
+        {"$b = 2 p·v =$ {b!}", "ink", .step = 3},
+        {"$c = p·p − r² =$ {c!}", "ink", .step = 3},
+        {"$b² − 4 a c =$ {D!}", "ink", .step = 3},
+        {plot_shown(plot, "hit") > 0 ? "$t$ = {verdict!}" : "{verdict!}", "blue", .step = 5},
     };
     const Label moved[] = {{"Here $p$ is $p − C$ =", "grey", .step = 3},
                            {"{object_p!}", "grey", .step = 3}};
@@ -402,7 +394,7 @@ static void ray_sphere(Plot *plot, void *given)
 
     plot_point(plot, "object_p", to_object_coordinates(m->ray, m->sphere).origin);
     plot_number(plot, "moved", is_moved(m));
-    coefficient_numbers(plot, "", quadratic_of(m), DIGITS);
+    coefficient_numbers(plot, "", quadratic_of(m));
     root_numbers(plot, "", roots);
     plot_number_to(plot, "hit", hit, root_digits(roots));
     root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
@@ -487,18 +479,38 @@ static void drawn_above(Plot *plot, const Graph *g)
         plot_line(plot, s->nearest, graph_point(g, s->t, plot_shown(plot, "f_nearest")), 0, 0);
 }
 
-// a t² + b t + c, and 1 is not written.
+// The terms of a t² + b t + c with their signs; of the first, 1 is not written.
 static void polynomial(Plot *plot, Quadratic q)
 {
-    char a[200] = "", b[200] = "", c[200] = "", words[600];
-    if (q.a != 1)
-        snprintf(a, sizeof a, "%s ", number_text_to(q.a, DIGITS).s);
-    if (q.b != 0)
-        snprintf(b, sizeof b, " %c %s t", q.b < 0 ? '-' : '+', number_text_to(fabs(q.b), DIGITS).s);
-    if (q.c != 0)
-        snprintf(c, sizeof c, " %c %s", q.c < 0 ? '-' : '+', number_text_to(fabs(q.c), DIGITS).s);
-    snprintf(words, sizeof words, "%st²%s%s", a, b, c);
-    plot_label(plot, "polynomial", words);
+    int digits = coefficient_digits(q);
+    char term[200];
+    plot_label(plot, "first", q.a == 1 ? "" : number_shown_to(q.a, digits).s);
+    snprintf(term, sizeof term, " %s %s", q.b < 0 ? "\u2212" : "+",
+             number_shown_to(fabs(q.b), digits).s);
+    plot_label(plot, "second", q.b == 0 ? "" : term);
+    snprintf(term, sizeof term, " %s %s", q.c < 0 ? "\u2212" : "+",
+             number_shown_to(fabs(q.c), digits).s);
+    plot_label(plot, "third", q.c == 0 ? "" : term);
+}
+
+// The same as a label, of what is right or, where it differs, of yours.
+static Text polynomial_label(const Plot *plot, const char *begin, bool yours)
+{
+    static const struct {
+        const char *term, *number, *after;
+        double unwritten;
+    } terms[] = {{"first", "a", " $t²$", 1}, {"second", "b", " $t$", 0}, {"third", "c", "", 0}};
+    Text text;
+    size_t used = (size_t)snprintf(text.s, sizeof text.s, "%s", begin);
+    for (int i = 0; i < 3; i++) {
+        const char *your = yours && plot_says_yours(plot, terms[i].term) ? "your_" : "";
+        if (plot_shown(plot, joined(your, terms[i].number)) != terms[i].unwritten)
+            used += (size_t)snprintf(text.s + used, sizeof text.s - used, "{%s%s}%s", your,
+                                     terms[i].term, terms[i].after);
+        else if (i == 0)
+            used += (size_t)snprintf(text.s + used, sizeof text.s - used, "$t²$");
+    }
+    return text;
 }
 
 static void parabola_labels(Plot *plot, const Graph *g)
@@ -519,8 +531,10 @@ static void parabola_labels(Plot *plot, const Graph *g)
         {"$t_1$ = {t1}", root_color(plot, "t1"), .step = 3, .place = graph_point(g, taken[1], 0)}};
     plot_names(plot, labels, touches ? 2 : 3);
     section_marks(plot, s, 2, 3, taken);
+    Text right = polynomial_label(plot, "$=$ ", false),
+         yours = polynomial_label(plot, "yours = ", true);
     Label words[6] = {{"$f (t) = |p + t v|² − r²$", "ink", .step = 2},
-                      {"$=$ {polynomial}", "ink", .step = 2},
+                      {right.s, "ink", .step = 2},
                       {above     ? "$f (0) = c =$ {c}"
                        : s->near ? "$f (0) = c =$ {c} is off the top"
                                  : "$f (0) = c =$ {c}, $t$ = 0 is far away",
@@ -528,8 +542,8 @@ static void parabola_labels(Plot *plot, const Graph *g)
     int count = 3;
     if (plot_shown(plot, "roots") == 0)
         words[count++] = (Label){"no root: $f$ is never below {f_nearest}", "grey", .step = 3};
-    if (plot_says_yours(plot, "polynomial"))
-        words[count++] = (Label){"yours = {your_polynomial}", "ink", .step = 2};
+    if (strcmp(right.s + strlen("$=$ "), yours.s + strlen("yours = ")) != 0)
+        words[count++] = (Label){yours.s, "ink", .step = 2};
     plot_say(plot, 0, 1, words, count);
 }
 
@@ -554,11 +568,11 @@ static void parabola_data(Plot *plot, void *given)
     plot_number(plot, "f_scale", graph.scale);
     plot_number(plot, "t_zero", vec3_dot(m->ray.origin, section.line));
     plot_number(plot, "speed", vec3_length(m->ray.direction));
-    coefficient_numbers(plot, "", q, DIGITS);
+    coefficient_numbers(plot, "", q);
     polynomial(plot, q);
     root_numbers(plot, "", roots);
     plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), root_digits(roots));
-    plot_number_to(plot, "f_nearest", quadratic_value(q, section.t), 4);
+    plot_number(plot, "f_nearest", quadratic_value(q, section.t));
     root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
     root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
     parabola(plot, &graph, q);
@@ -596,10 +610,10 @@ static void right_angle(Plot *plot, const Section *s, Sides sides)
 
 static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
 {
-    plot_number_to(plot, "s", sides.s, DIGITS);
-    plot_number_to(plot, "m", sides.m, DIGITS);
-    plot_number_to(plot, "k", sides.k, DIGITS);
-    plot_number_to(plot, "speed", vec3_length(s->ray.direction), DIGITS);
+    plot_number(plot, "s", sides.s);
+    plot_number(plot, "m", sides.m);
+    plot_number(plot, "k", sides.k);
+    plot_number(plot, "speed", vec3_length(s->ray.direction));
     if (!s->near)
         plot_undrawn(plot);
     plot_vector(plot, "l", s->ray.origin, s->sphere.center - s->ray.origin);
@@ -770,7 +784,7 @@ static bool agree(const Plot *plot, const char *name)
 {
     double world = plot_shown(plot, joined("world_", name));
     double object = plot_shown(plot, joined("object_", name));
-    return strcmp(number_text(world).s, number_text(object).s) == 0;
+    return strcmp(number_shown(world).s, number_shown(object).s) == 0;
 }
 
 // Lines of text below both panels.
@@ -896,8 +910,8 @@ static void world_object(Plot *plot, void *given)
     plot_apart(plot);
     section_data(plot, &section);
     Ray object_ray = to_object_coordinates(m.ray, m.sphere);
-    coefficient_numbers(plot, "world_", world, DIGITS);
-    coefficient_numbers(plot, "object_", object, DIGITS);
+    coefficient_numbers(plot, "world_", world);
+    coefficient_numbers(plot, "object_", object);
     root_numbers(plot, "world_", world_roots);
     root_numbers(plot, "object_", object_roots);
     root_mark(plot, "world_hit0", m.ray, root_shown(world_roots, 0));
@@ -965,19 +979,13 @@ const char *joined(const char *left, const char *right)
 }
 
 // PREFIXa, PREFIXb, PREFIXc and the discriminant, PREFIXD.
-void coefficient_numbers(Plot *plot, const char *prefix, Quadratic q, int digits)
+void coefficient_numbers(Plot *plot, const char *prefix, Quadratic q)
 {
+    int digits = coefficient_digits(q);
     plot_number_to(plot, joined(prefix, "a"), q.a, digits);
     plot_number_to(plot, joined(prefix, "b"), q.b, digits);
     plot_number_to(plot, joined(prefix, "c"), q.c, digits);
-    plot_number_to(plot, joined(prefix, "D"), discriminant(q), digits);
-}
-
-// Enough digits to distinguish the two roots.
-int root_digits(Roots roots)
-{
-    double apart = root_shown(roots, 1) - root_shown(roots, 0), large = fabs(root_shown(roots, 1));
-    return apart > 0 && large / apart > 10 ? (int)fmin(4 + floor(log10(large / apart)), 12) : 4;
+    plot_number(plot, joined(prefix, "D"), discriminant(q));
 }
 
 // PREFIXroots, how many; PREFIXt0 and PREFIXt1.

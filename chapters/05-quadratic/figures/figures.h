@@ -22,9 +22,6 @@ int quadratic_figure(const char *program, FigureCommand command, const Meeting *
 int roots_shown(Roots roots);
 double root_shown(Roots roots, int i);
 
-// Enough digits to distinguish the two roots.
-int root_digits(Roots roots);
-
 // The quadratic by the answers, in object coordinates.
 Quadratic quadratic_of(const Meeting *m);
 
@@ -35,7 +32,7 @@ double quadratic_value(Quadratic q, double t);
 const char *joined(const char *prefix, const char *name);
 
 // PREFIXa, PREFIXb, PREFIXc and the discriminant, PREFIXD.
-void coefficient_numbers(Plot *plot, const char *prefix, Quadratic q, int digits);
+void coefficient_numbers(Plot *plot, const char *prefix, Quadratic q);
 
 // PREFIXroots, the number of roots; PREFIXt0 and PREFIXt1.
 void root_numbers(Plot *plot, const char *prefix, Roots roots);

@@ -176,15 +176,26 @@ static void hit_names(Plot *plot, const Shown *shown)
                  1);
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
         char text[400];
-        snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_text_to(shown->hits[i].t, 4).s,
+        snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_shown(shown->hits[i].t).s,
                  sphere_name(shown->hits[i].sphere).s, i == 0 ? ": closest" : "");
         plot_name(plot, (Label){text, "ink", .step = 3, .block = "hits", .row = i});
     }
 }
 
+// In words, the hits after the closest one.
+static void farther_hits(Plot *plot, const Shown *shown)
+{
+    char text[1000] = "";
+    for (int i = 1; i < shown->hit_count && i < MOST_HITS; i++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "It meets sphere %s at t = %s. ",
+                 sphere_name(shown->hits[i].sphere).s, number_shown(shown->hits[i].t).s);
+    plot_text(plot, "farther_hits", text);
+}
+
 static void ray_casting(Plot *plot, void *given)
 {
     ray_casting_data(plot, given);
+    farther_hits(plot, given);
     hit_names(plot, given);
 }
 

@@ -24,6 +24,8 @@ tick = rough > 5 * power ? 10 * power : rough > 2 * power ? 5 * power : rough > 
 first = tick * ceil(low_x / tick)
 ticks = floor((high_x - first) / tick)
 tick_at(k) = first + tick * k
+grouped(digits) = strlen(digits) < 4 ? digits : grouped(digits[1:strlen(digits) - 3]).",".digits[strlen(digits) - 2:*]
+tick_text(t) = (t < 0 ? "−" : "").(abs(t) < 9999.5 ? sprintf("%g", abs(t)) : grouped(sprintf("%.0f", abs(t))))
 # Within the window.
 shown_t(t) = most(low_x, least(high_x, t))
 # Outlines are ellipses: gnuplot 5.4 draws an empty circle's outline twice, which closes the gaps of a dashed one.
@@ -53,13 +55,13 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
     @step2 $along using (x(high_x) + 20):(axis - 22):(math("t")) with labels tc rgb grey title "t", \
     @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 3):(0):(6) with vectors nohead lw 1 lc rgb grey \
         title "ticks", \
-    @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 22):(x(tick_at(k)) > x(high_x) - 16 ? "" : gprintf("%g", tick_at(k))) \
+    @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 22):(x(tick_at(k)) > x(high_x) - 16 ? "" : tick_text(tick_at(k))) \
         with labels tc rgb grey title "numbers", \
     @step2 $circles index 0 using (x(shown_t($7)) - 1):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7)) + 2):(0) with vectors nohead lw 9 \
         lc rgb grey title "intervals, outline", \
     @step2 $circles index 0 using (x(shown_t($7))):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7))):(0):5 with vectors nohead lw 7 \
         lc rgb variable title "intervals", \
-    @step2 $circles index 0 using ($6 > 0 ? x(shown_t($8)) + 4 : width / 2):(above_axis($10)):($6 > 0 ? ball_name($1) : "") \
+    @step2 $circles index 0 using ($6 > 0 ? x(shown_t($8)) + 9 : width / 2):(above_axis($10)):($6 > 0 ? ball_name($1) : "") \
         with labels left tc rgb ink title "intervals, names", \
     @step2 @who $roots index who using ($1 == shown_t($1) ? x($1) : NaN):(on_ray) with @ring lc rgb ink title "roots", \
     @step3 $circles index 0 using ($6 == 1 ? x($7) - 5 : NaN):(above_axis($10)):($6 == 1 ? x($8) - x($7) + 10 : NaN):(0) \

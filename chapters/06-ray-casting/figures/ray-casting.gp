@@ -1,13 +1,9 @@
 # ray-casting.gp - one ray, all its hits, and the colour of the closest one (slide 'Ray casting').
-# In words: the rows of $hits after the comment and the first row, which is the closest. After as many rows as are right
-# are those that are yours.
-hits_from(i) = i > all_hits + 1 || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 || word($hits[i], 5) eq "-1" ? "" : \
-    sprintf("It meets sphere %s at t = %.4g. ", ball_name(int(word($hits[i], 5) + 0)), word($hits[i], 4) + 0)).hits_from(i + 1)
 title = "Ray casting: the closest hit colours the pixel"
 description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
     (all_hits == 0 ? "It meets no sphere, so the pixel has the colour of the background. " : \
     sprintf("It meets %d of %d spheres; the closest hit is on sphere %s at t = %s, so the pixel has its colour. ", \
-        all_hits, all_balls, nearest_name, nearest_text).hits_from(1)). \
+        all_hits, all_balls, nearest_name, nearest_text).farther_hits). \
     sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres

@@ -419,7 +419,7 @@ static void note(Plot *plot, const Shown *shown, double plane_at)
     if (shown->sphere_count < all)
         snprintf(spheres, sizeof spheres, ", %d of %d spheres", shown->sphere_count, all);
     if (plane_at != 1)
-        snprintf(plane, sizeof plane, ", the image plane at t = %s", number_text_to(plane_at, 4).s);
+        snprintf(plane, sizeof plane, ", the image plane at t = %s", number_shown(plane_at).s);
     snprintf(text, sizeof text, "%s%s%s", pixels, spheres, plane);
     char words[420] = "";
     if (text[0] != '\0')

@@ -14,13 +14,11 @@ import subprocess
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
+from shown import NUMBER
+
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
 PROGRAMS = os.environ.get("PROGRAMS", "build/solutions")
-
-
-# As labels and descriptions write it, with a minus sign.
-NUMBER = r"(?<![\w.])−?\d+(?:\.\d+)?(?:e[+−]?\d+)?"
 
 
 def numbers(text):
@@ -49,24 +47,6 @@ def unit(v):
 
 def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def label(x, digits=4):
-    """A number as labels show it: with a minus sign."""
-    return f"{x if x else 0:.{digits}g}".replace("-", "−")
-
-
-def label_of(v, digits=4):
-    return "(" + ", ".join(label(x, digits) for x in v) + ")"
-
-
-def number(x):
-    """As stories and labels of screens show it."""
-    return label(x, 6)
-
-
-def pair(x, y):
-    return label_of((x, y), 6)
 
 
 def widths_of_letters(path):
@@ -123,7 +103,7 @@ class Text:
     def numbers(self):
         """The numbers that it shows, as it shows them; not those of formulas: w/2, 2 d, ½, 1/2."""
         data = re.sub(r"[^\W\d_]\s?/\s?\d+|\)\s?/\s?\d+|\b1/2\b", " ", self.plain)
-        data = re.sub(r"\b\d+(?:\.\d+)?(?!e[+−]?\d)\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
+        data = re.sub(r"\b\d+(?:\.\d+)?\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
         data = re.sub(r"\b\d+(?=[^\W\d_]{2}(?!\w))", " ", data)  # 4ac
         return re.findall(NUMBER, data)
 
