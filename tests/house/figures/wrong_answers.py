@@ -173,7 +173,7 @@ SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
 places("screen_to_normalized", ("width, 1 - point.y", "width * (1 + 4e-16), point.y"), SCREEN, (300, -400),
        SQUARE, (0.46875, 1 / 6), (0.46875, 5 / 6),
        ("(0.46875, 0.166667)", "(0.46875, 0.833333)", "off by (0, 0.666667)", "y counts down"))
-places("normalized_to_screen", ("(1 - place.t)", "place.t"), SQUARE, (0.46875, 1 / 6),
+places("normalized_to_screen", ("(1 - normalized.t)", "normalized.t"), SQUARE, (0.46875, 1 / 6),
        SCREEN, (300, -400), (300, -80), ("(300, 400)", "(300, 80)", "off by (0, −320)", ""))
 places("pixel_center", ("pixel.column + 0.5, pixel.row + 0.5", "pixel.column, pixel.row"), None, None,
        ((0, 0), (1, 0), (1, -1), (0, -1)), (0.5, -0.5), (0, 0), ("(0.5, 0.5)", "(0, 0)", "off by (−0.5, −0.5)", ""))
