@@ -16,16 +16,6 @@ quotes_its_program() {
     ! grep -vxFf "$scratch/printed" "$scratch/quoted"
 }
 
-links_lead_somewhere() {
-    folder=$(dirname "$1")
-    status=0
-    # shellcheck disable=SC2013,SC2016 # links have no blanks; Markdown's backquotes
-    for link in $(sed 's/`[^`]*`//g' "$1" | grep -o '](\([^)#]*\)' | sed 's/^](//' | grep -v '^http'); do
-        [ -e "$folder/$link" ] || { echo "$link"; status=1; }
-    done
-    return $status
-}
-
 for lesson in chapters/[0-9]*/README.md; do
     stem=$(basename "$(dirname "$lesson")")
     check "the lesson of $stem quotes its program" quotes_its_program "$stem"
@@ -50,16 +40,6 @@ names_its_pictures() {
     done <"$scratch/pictures"
 }
 check 'the lessons name the pictures that are drawn on the way' names_its_pictures
-
-# The student's page says how long each chapter takes, in the words of its lesson.
-says_the_time_of() {
-    time=$(sed -n 's/^| time | \([^;|]*[^;| ]\).*/\1/p' "chapters/$1/README.md")
-    [ -n "$time" ] && grep -F "(../chapters/$1/README.md)" exercises/README.md | grep -qF "| $time |"
-}
-for lesson in chapters/[0-9]*/README.md; do
-    stem=$(basename "$(dirname "$lesson")")
-    check "the student's page says how long $stem takes" says_the_time_of "$stem"
-done
 
 # The files that the page on 08's engines tells its reader to read.
 files_are_there() {
@@ -105,14 +85,6 @@ for picture in chapters/[0-9]*/*.png; do
     [ -e "$drawn" ] || drawn=$PROGRAMS/gallery/$name
     check "$picture is what the programs draw" same_picture "$drawn" "$picture" "$(allowed_in "$name")"
 done
-# A chapter's own picture has the title that it has on the page of all pictures.
-for picture in chapters/[0-9]*/[0-9][0-9]-*.png; do
-    stem=$(basename "$picture" .png)
-    title=$(sed -n "/^picture $stem\$/ { n; s/^ *//p; }" chapters/gallery/contents.txt)
-    [ ! -d "chapters/$stem" ] || check "the picture of $stem is called by its title" \
-        grep -qxF "![$title]($stem.png)" "chapters/$stem/README.md"
-done
-
 needs lessons "that the lessons' figures are those of the code" gnuplot
 draw() {
     DRAWN=$scratch/drawn

@@ -64,6 +64,16 @@ says_not() {
     ! says "$1"
 }
 
+# links_lead_somewhere PAGE.md: each of its links is a file, or begins with http.
+links_lead_somewhere() {
+    folder=$(dirname "$1")
+    status=0
+    # shellcheck disable=SC2013,SC2016 # links have no blanks; Markdown's backquotes
+    for link in $(sed 's/`[^`]*`//g' "$1" | grep -o '](\([^)#]*\)' | sed 's/^](//' | grep -v '^http'); do
+        [ -e "$folder/$link" ] || { echo "$link"; status=1; }
+    done
+    return $status
+}
 # same_picture ONE.png OTHER.png ...: as tests/house/figures/png.py says
 same_picture() {
     python3 "$here/tests/house/figures/png.py" "$@"
