@@ -346,6 +346,17 @@ static void huge(void)
     for (int i = 0; i < 20; i++)
         add(vec3_of(uniform(-2, 2), -2 + uniform(0, 0.1), uniform(-2, 2)), 0.1);
 }
+static void at_both_ends_of_the_world(void)
+{
+    look_from(front, 40, 20, 15);
+    add(vec3_of(1e308, 0, 0), 1);
+    add(vec3_of(-1e308, 0, 0), 1);
+    add(vec3_of(1e308, 1e308, 1e308), 1e308);
+    add(middle, 1e308);
+    add(middle, 1e-308);
+    add(vec3_of(0, 0, 4), 1e-323);
+    add(middle, 1);
+}
 static void of_no_ordinary_size(void)
 {
     look_from(1e16 * front, 60, 40, 30);
@@ -467,6 +478,7 @@ static const struct {
                  {"meeting far away", meeting_far_away},
                  {"touching at their outlines", touching_at_their_outlines},
                  {"huge", huge},
+                 {"at both ends of the world", at_both_ends_of_the_world},
                  {"of no ordinary size", of_no_ordinary_size},
                  {"far from the origin", far_from_the_origin},
                  {"through a telescope", through_a_telescope},
