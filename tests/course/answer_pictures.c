@@ -214,8 +214,9 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
         if (function_is(&record.functions[i], "wrong") &&
             usable_state(&record, record.functions[i].name) != NULL)
             wrong = picture_of_wrong(record.functions[i].name);
-    for (int i = 0; i < PICTURE_COUNT; i++) {
-        const AnswerPicture *picture = &pictures[i];
+    for (int i = 0, news = 0; i < PICTURE_COUNT; i++) {
+        // On a brief page the last of those that have become right is enough.
+        const AnswerPicture *picture = &pictures[page->is_brief ? PICTURE_COUNT - 1 - i : i];
         const FunctionRecord *function = record_function(&record, picture->function);
         PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
         if (function == NULL)
@@ -225,12 +226,13 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
             unlink(mark.s);
         // In the later chapters the chapter's own picture shows all of it.
         bool is_news = right && (again || access(mark.s, F_OK) != 0) &&
-                       (!is_done || picture->given[0] != '\0') &&
-                       (wrong == NULL || !page->is_brief);
-        bool shown =
-            (picture == wrong || is_news) && show_picture(page, plan, chapter, picture, begins);
+                       (!is_done || picture->given[0] != '\0');
+        bool is_left_out = page->is_brief && picture != wrong && news > 0;
+        news += is_news;
+        bool shown = (picture == wrong || is_news) && !is_left_out &&
+                     show_picture(page, plan, chapter, picture, begins);
         begins = begins && !shown;
-        if (right && (shown || is_done))
+        if (right && (shown || is_left_out || is_done))
             set_mark(mark.s);
     }
     chapter_record_free(&record);

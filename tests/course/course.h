@@ -173,7 +173,7 @@ void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *cal
 
 // Draws what the answers of a chapter make possible so far (pictures/pictures.def), and says where
 // it is: the function that is wrong, each time; what has become right, once, or again. On a brief
-// page a picture is a line, and only that of what is wrong, if it is not the same one as before.
+// page a picture is a line, and not said again as long as it is the same one.
 void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter, bool again);
 
 // A line, ahead of what needs work: the chapter is right, and which picture it has. It is drawn
