@@ -59,7 +59,9 @@ endif
 # SANITIZE=address,undefined builds beside the ordinary build, not over it.
 comma := ,
 B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
-BUILT := $(B)/$(A:/%=%)
+# EXAMPLE=name: with the numbers of chapters/examples/NAME.txt, beside the build with the deck's.
+ANSWERS_BUILT := $(B)/$(A:/%=%)
+BUILT := $(B)$(EXAMPLE:%=/examples/%)/$(A:/%=%)
 
 # All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
 # was built with sudo. 'find' stops at the first file that cannot be written, if it knows how: test then asks
@@ -174,18 +176,38 @@ $(EXACT:%=$(B)/solutions/%.o): $(B)/solutions/%.o: tests/%/exact.c $(B)/flags.mk
 
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
 answer_in = $(or $(wildcard $(1)/$(2).c),build/blanks/$(2).c)
-ANSWER_OBJECTS := $(STEMS:%=$(BUILT)/%.o)
+ANSWER_OBJECTS := $(STEMS:%=$(ANSWERS_BUILT)/%.o)
 ifneq ($(A),solutions)
-$(STEMS:%=$(BUILT)/%.text): $(BUILT)/%.text: build/blanks/%.c FORCE
+$(STEMS:%=$(ANSWERS_BUILT)/%.text): $(ANSWERS_BUILT)/%.text: build/blanks/%.c FORCE
 	@mkdir -p $(@D)
 	@cmp -s $(call answer_in,$(A),$*) $@ || cp $(call answer_in,$(A),$*) $@
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
-$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.text $(B)/flags.mk $(B)/weak.h \
+$(ANSWER_OBJECTS): $(ANSWERS_BUILT)/%.o: $(ANSWERS_BUILT)/%.text $(B)/flags.mk $(B)/weak.h \
 		$(B)/exercises.names build/blanks/%.c
 	$(call say,compile,$(call answer_in,$(A),$*))
 	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*) || { rm -f $(@:.o=.d); exit 1; }
 	$(Q)$(HIDE_HELPERS) $@
 	@sed -i.bak 's|$(call answer_in,$(A),$*)||' $(@:.o=.d) && rm -f $(@:.o=.d.bak)
+endif
+
+# The example's object comes before the archive that has the deck's.
+ifneq ($(EXAMPLE),)
+EXAMPLE_TEXT := chapters/examples/$(EXAMPLE).txt
+ifeq ($(wildcard $(EXAMPLE_TEXT)),)
+$(error EXAMPLE=$(EXAMPLE): there is no $(EXAMPLE_TEXT), expected one of $(patsubst chapters/examples/%.txt,%,$(wildcard chapters/examples/*.txt)))
+endif
+ifneq ($(filter-out slides figures animations mistake,$(or $(MAKECMDGOALS),all)),)
+$(error EXAMPLE=$(EXAMPLE) goes with make slides, figures, animations or mistake; for the lessons and tests, change chapters/example.h)
+endif
+EXAMPLE_HEADER := $(B)/examples/$(EXAMPLE)/example.h
+EXAMPLE_OBJECT := $(B)/examples/$(EXAMPLE)/example.o
+ANSWER_OBJECTS += $(EXAMPLE_OBJECT)
+$(EXAMPLE_HEADER): $(EXAMPLE_TEXT) chapters/examples/read_example.py chapters/example.h
+	$(Q)mkdir -p $(@D)
+	$(Q)$(PYTHON) chapters/examples/read_example.py $< > $@
+$(EXAMPLE_OBJECT): chapters/shared/example.c $(EXAMPLE_HEADER) $(B)/flags.mk
+	$(call say,compile,$(EXAMPLE_TEXT))
+	$(Q)$(COMPILE) -include $(EXAMPLE_HEADER) -o $@ $<
 endif
 
 # ---- programs, scenes, pictures ---------------------------------------------------------------
@@ -220,6 +242,7 @@ ANSWERS_CALLED := $(if $(filter-out solutions,$(A)),$(B)/tests/judge/answers_cal
 NOTE_CALLS := $(if $(ANSWERS_CALLED),$$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names))
 $(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(ANSWERS_CALLED) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) $(NOTE_CALLS) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 GALLERY := $(BUILT)/gallery

@@ -67,17 +67,18 @@ figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
 # judge says is wrong.
-RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),build/right-figures)
+RIGHT_BUILT := $(B)$(EXAMPLE:%=/examples/%)/solutions
+RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(RIGHT_BUILT)/figures),build/right-figures)
 # A handout has only the numbers, so its scripts need no folders.
 right_script_of = $(RIGHT)/$(if $(RIGHT_SCRIPTS),$(1)/)$(1).gp
-ifneq ($(filter $(B)/solutions/%,$(RIGHT)),)
-RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
-$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \
-		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
+ifneq ($(filter $(RIGHT_BUILT)/%,$(RIGHT)),)
+RIGHT_PROGRAMS := $(STEMS:%=$(RIGHT_BUILT)/%)
+$(RIGHT_PROGRAMS): $(RIGHT_BUILT)/%: $$(call chapter_objects,$$*) \
+		$(STEMS:%=$(B)/solutions/%.o) $(EXAMPLE_OBJECT) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 RIGHT_SCRIPTS := $(call script_of,$(RIGHT),$(FIGURE_NAMES))
-$(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F))
+$(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(RIGHT_BUILT)/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F))
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script)
 endif
@@ -87,7 +88,7 @@ take_script = if [ ! -s $@.new ]; then rm -rf $(@D); else \
 	cmp -s $@.new $@ || find $(@D) -mindepth 1 ! -name $(@F).new -delete; mv $@.new $@; fi
 # A figure of your own, an animation and slides that this run does not draw have older numbers if the example or an
 # answer has changed since.
-NEW_NUMBERS = $(wildcard chapters/example.h $(if $(filter solutions,$(A)),solutions/*.c,$(STEMS:%=$(BUILT)/%.text)))
+NEW_NUMBERS = $(wildcard $(or $(EXAMPLE_HEADER),chapters/example.h) $(if $(filter solutions,$(A)),solutions/*.c,$(STEMS:%=$(ANSWERS_BUILT)/%.text)))
 remove_older = find $(BUILT)/figures/*/*.gp $(BUILT)/animations/*/*.gp $(BUILT)/slides/*.pdf \
 	\( -name '' $(NEW_NUMBERS:%=-o ! -newer %) \) 2>/dev/null | { gone=; while read -r old; do \
 	case $$old in *.gp) old=$${old%/*} ;; esac; rm -rf "$$old"; gone="$$gone $${old\#\#*/}"; done; \

@@ -4,6 +4,9 @@
 // figures and pictures, the slides, and the tests that use the example follow. All numbers are the
 // deck's, 'Ray Tracing, Part I'. Programs take them through chapters/shared/example.h.
 
+#ifndef CHAPTERS_EXAMPLE_H
+#define CHAPTERS_EXAMPLE_H
+
 // The slide 'Camera': the eye p, and three unit vectors at right angles to each other.
 #define EXAMPLE_EYE 2, 2, -4
 #define EXAMPLE_RIGHT 1, 0, 0
@@ -28,3 +31,5 @@
 #define EXAMPLE_RAY_DIRECTION 0.89, 0.45, 0
 #define EXAMPLE_CENTER 0, 0, 0
 #define EXAMPLE_RADIUS 1
+
+#endif

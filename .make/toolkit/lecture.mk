@@ -134,13 +134,12 @@ $(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
 	$(Q)$(FILL) $(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
 
 # Numbers that are not an example are named before anything is made of them.
-CHECK_EXAMPLE := $(B)/chapters/lessons/check_example
-$(CHECK_EXAMPLE): %: %.o $(B)/chapters/shared.a $(B)/common.a
+CHECK_EXAMPLE := $(B)$(EXAMPLE:%=/examples/%)/check_example
+$(CHECK_EXAMPLE): $(B)/chapters/lessons/check_example.o $(EXAMPLE_OBJECT) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
-EXAMPLE_CHECKED := $(B)/lessons/example
+EXAMPLE_CHECKED := $(CHECK_EXAMPLE).ok
 $(EXAMPLE_CHECKED): $(CHECK_EXAMPLE)
-	@mkdir -p $(@D)
 	@$< && touch $@
 $(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHECKED)
 
@@ -157,7 +156,7 @@ $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
 		else written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; fi; done; \
 	[ -z "$$written" ] || MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
 	[ -n "$$kept" ] || touch $@
-ifeq ($(A),solutions)
+ifeq ($(A)$(EXAMPLE),solutions)
 $(BUILT)/made $(PAGE): $(LESSONS_MADE)
 endif
 lessons: $(LESSONS_MADE) ##+ write the numbers of chapters/example.h into the lessons ('make' does it as well)

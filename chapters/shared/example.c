@@ -4,6 +4,11 @@
 
 #include "chapters/example.h"
 
+// chapters/examples/NAME.txt comes before this file (read_example.py).
+#ifndef EXAMPLE_FILE
+#define EXAMPLE_FILE "chapters/example.h"
+#endif
+
 static const double place[] = {EXAMPLE_PLACE};
 static const int screen[] = {EXAMPLE_SCREEN}, point[] = {EXAMPLE_POINT};
 
@@ -11,15 +16,38 @@ _Static_assert(sizeof place == 2 * sizeof *place, "EXAMPLE_PLACE: expected two n
 _Static_assert(sizeof screen == 2 * sizeof *screen, "EXAMPLE_SCREEN: expected two whole numbers");
 _Static_assert(sizeof point == 2 * sizeof *point, "EXAMPLE_POINT: expected two whole numbers");
 
+const char *example_file(void)
+{
+    return EXAMPLE_FILE;
+}
+
+// Nearly a frame, as 0.707107 is nearly the root of 1/2: then exactly one. Anything else stays, and
+// is refused (check_example.c).
+static void straighten(Camera *c)
+{
+    const double nearly = 1e-5;
+    if (fabs(vec3_length(c->right) - 1) > nearly || fabs(vec3_length(c->up) - 1) > nearly ||
+        fabs(vec3_length(c->forward) - 1) > nearly || fabs(vec3_dot(c->right, c->up)) > nearly ||
+        fabs(vec3_dot(c->up, c->forward)) > nearly || fabs(vec3_dot(c->forward, c->right)) > nearly)
+        return;
+    vec3 forward = vec3_unit(c->forward);
+    vec3 right = vec3_unit(c->right - vec3_dot(c->right, forward) * forward);
+    c->up = vec3_unit(c->up - vec3_dot(c->up, forward) * forward - vec3_dot(c->up, right) * right);
+    c->right = right;
+    c->forward = forward;
+}
+
 Camera example_camera(void)
 {
-    return (Camera){.origin = vec3_of(EXAMPLE_EYE),
-                    .right = vec3_of(EXAMPLE_RIGHT),
-                    .up = vec3_of(EXAMPLE_UP),
-                    .forward = vec3_of(EXAMPLE_FORWARD),
-                    .distance = EXAMPLE_DISTANCE,
-                    .width = EXAMPLE_WIDTH,
-                    .height = EXAMPLE_HEIGHT};
+    Camera camera = {.origin = vec3_of(EXAMPLE_EYE),
+                     .right = vec3_of(EXAMPLE_RIGHT),
+                     .up = vec3_of(EXAMPLE_UP),
+                     .forward = vec3_of(EXAMPLE_FORWARD),
+                     .distance = EXAMPLE_DISTANCE,
+                     .width = EXAMPLE_WIDTH,
+                     .height = EXAMPLE_HEIGHT};
+    straighten(&camera);
+    return camera;
 }
 
 Normalized example_place(void)

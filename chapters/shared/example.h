@@ -7,6 +7,9 @@
 #include "common/screen.h"
 #include "common/sphere.h"
 
+// The file that has its numbers.
+const char *example_file(void);
+
 Camera example_camera(void);
 Normalized example_place(void); // on its image plane
 

@@ -125,7 +125,7 @@ refuses() {
 }
 if [ "$examples" -gt 2 ]; then
     check 'no camera is refused' refuses '#undef EXAMPLE_UP
-#define EXAMPLE_UP 0, 0, 0' 'this is not a camera: right, up and forward must each have length 1'
+#define EXAMPLE_UP 0, 0, 0' 'up is (0, 0, 0): its length is 0, expected 1'
     cp "$scratch/chapters/example.h" chapters/
     check 'with the old numbers, make writes' make CC="$CC"
     # Pictures are the same pixels; libpng packs them in its own way.
