@@ -77,8 +77,8 @@ case "$(uname -m) $BUILD" in
 *sanitize*) echo "skipped: engines on other processors, where sanitizers do not run" ;;
 x86_64*)
     if command -v qemu-x86_64 >/dev/null; then
-        counted qemu-x86_64 -cpu Nehalem "$same" 30 101
-        counted qemu-x86_64 -cpu max "$same" 10 101
+        counted qemu-x86_64 -cpu Nehalem "$same" 15 101
+        counted qemu-x86_64 -cpu max "$same" 5 101
     else
         echo "skipped: engines on other processors, which need QEMU (make setup FOR=contributor)"
     fi
