@@ -25,7 +25,7 @@ def place(s, t):
     return legs(DECK, 2 * s - 1, 2 * t - 1)
 
 
-def judge(stem, *changes, environment=None):
+def judge(stem, *changes):
     """Puts the changes into a solution. Returns the verdict and the folder of figures."""
     shutil.rmtree(answers, ignore_errors=True)
     os.makedirs(answers)
@@ -42,7 +42,7 @@ def judge(stem, *changes, environment=None):
     command = ["build/course", "exercises", plan, stem] if os.path.exists(plan) else [
         "make", "--no-print-directory", "exercises", f"ANSWERS={answers}", f"EX={stem[:2]}"]
     done = subprocess.run(
-        command, env={**os.environ, "NO_COLOR": "1", "ALL": "1", **(environment or {})}, capture_output=True, text=True,
+        command, env={**os.environ, "NO_COLOR": "1", "ALL": "1"}, capture_output=True, text=True,
         check=False, timeout=120)
     return done.stdout + done.stderr, f"build{answers}/figures"
 
@@ -296,44 +296,5 @@ for panel in range(3):
             if middle != wanted:
                 wrong.append((panel, row, column, middle, wanted))
 checks.that("a wrong picture: yours, expected, difference", not wrong, str(wrong[:3]))
-
-# ---- what is not drawn ------------------------------------------------------------------------------
-
-said, folder = judge("01-corners", ("return c.distance * c.forward - c.width / 2 * c.right", "return 0.0 / 0 * c.right"))
-checks.that("what is not a number is not drawn", "yours      (nan" in said and "see" not in said, said)
-checks.that("nor written", not os.path.exists(f"{folder}/upper_left.gp"))
-said, folder = judge("01-corners", ("c.distance * c.forward - c.width / 2", "1e9 * c.forward - c.width / 2"))
-checks.that("what is far away is not drawn", "  see " not in said, said)
-said, folder = judge("02-cameras", ("    return give(found, camera);\n    // END SOLUTION\n}\n\nCameraFault camera_from_points",
-                                   "    return CAMERA_OFF_AXIS;\n    // END SOLUTION\n}\n\nCameraFault camera_from_points"))
-checks.that("what was refused is not drawn", "camera_from_vectors.svg" not in said, said)
-
-# Wrong only for random cameras, which must not be shown if there is a SEED.
-only_random = ("c.distance * c.forward - c.width / 2",
-               "(c.distance == 4 || c.distance == 6 ? 1 : 2) * c.distance * c.forward - c.width / 2")
-said, folder = judge("01-corners", only_random)
-checks.that("public random inputs are drawn", "upper_left.svg" in said, said)
-tables = f"{answers}-tables"
-os.makedirs(tables, exist_ok=True)
-subprocess.run(["build/tests/record", "01-corners", f"{tables}/01-corners.table"], env={**os.environ, "SEED": "77"}, check=True)
-said, folder = judge("01-corners", (only_random[0], only_random[1] + " "), environment={"JUDGE_TABLES": tables})
-checks.that("hidden inputs are not drawn", "not shown" in said and "  see " not in said, said)
-checks.that("nor written, nor left of an older answer", not os.path.exists(f"{folder}/upper_left.gp") and
-            not os.path.exists(f"{folder}/upper_left.svg"))
-
-# The output of the answer is not in any script.
-said, folder = judge("01-corners", ('#include "common/answers.h"', '#include "common/answers.h"\n#include <stdio.h>'),
-                     ("return c.distance * c.forward - c.width / 2",
-                      'puts("\\"; system(\\"touch hacked\\") `touch hacked`"); return c.distance * c.forward - c.width'))
-with open(f"{folder}/upper_left.gp", encoding="utf-8") as file:
-    script = file.read()
-checks.that("what was printed is shown", "it printed" in said, said)
-checks.that("and is in no script", "hacked" not in script and "system(" not in script)
-
-# Right now: nothing older is left.
-judge("01-corners", ("BEGIN SOLUTION", "BEGIN  SOLUTION"))
-checks.that("of an answer that has become right no figure is left", not os.path.exists(f"{folder}/upper_left.svg")
-            and not os.path.exists(f"{folder}/upper_left.gp"))
-for made in (f"build{answers}", tables):
-    shutil.rmtree(made, ignore_errors=True)
+shutil.rmtree(f"build{answers}", ignore_errors=True)
 checks.end()
