@@ -196,8 +196,8 @@ EXAMPLE_TEXT := chapters/examples/$(EXAMPLE).txt
 ifeq ($(wildcard $(EXAMPLE_TEXT)),)
 $(error EXAMPLE=$(EXAMPLE): there is no $(EXAMPLE_TEXT), expected one of $(patsubst chapters/examples/%.txt,%,$(wildcard chapters/examples/*.txt)))
 endif
-ifneq ($(filter-out slides figures animations mistake,$(or $(MAKECMDGOALS),all)),)
-$(error EXAMPLE=$(EXAMPLE) goes with make slides, figures, animations or mistake; for the lessons and tests, change chapters/example.h)
+ifneq ($(filter-out slides figures animations,$(or $(MAKECMDGOALS),all)),)
+$(error EXAMPLE=$(EXAMPLE) goes with make slides, figures or animations; for the lessons and tests, change chapters/example.h)
 endif
 EXAMPLE_HEADER := $(B)/examples/$(EXAMPLE)/example.h
 EXAMPLE_OBJECT := $(B)/examples/$(EXAMPLE)/example.o

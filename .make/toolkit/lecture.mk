@@ -193,3 +193,12 @@ lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ##+ write the figures and pictures th
 		drawn=$(B)/so-far/$${picture##*/}; [ -e $$drawn ] || drawn=$(GALLERY)/$${picture##*/}; \
 		$(PYTHON) tests/house/figures/png.py $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
 .PHONY: lesson-figures
+
+# ---- a known mistake, shown to a class -------------------------------------------------------------
+
+SHOW_MISTAKES := $(PYTHON) chapters/mistakes/show_mistakes.py
+mistake: $$(MISTAKEN) $(call script_of,$(B)/solutions/figures,$(FIGURE_NAMES)) ## what a known mistake does to pictures and figures (NAME=no-flip; make mistakes lists them)
+	@$(if $(NAME),$(SHOW_MISTAKES) show $(B) '$(NAME)',echo "make mistake NAME=no-flip: which? 'make mistakes' lists them" >&2; exit 2)
+mistakes: $$(MISTAKEN) ##+ the known mistakes that have names, and a page with their pictures
+	@$(SHOW_MISTAKES) list $(B)
+.PHONY: mistake mistakes

@@ -1,0 +1,162 @@
+"""show_mistakes.py - what a known mistake does to the pictures and the figures of the lecture, on a page.
+
+    show_mistakes.py list BUILD           names of mistakes, their words, and a page with their pictures
+    show_mistakes.py show BUILD NAME      the pictures, and each figure that differs, with 'solid: expected, dashed: yours'
+
+NAME: of names.txt, or FUNCTION/ID. BUILD/tests/mistaken/NN-stem is the program of each chapter, by any of the mistakes
+(tests/proof/mistaken_figures.c); BUILD/solutions has the right pictures and figures. All of it is in BUILD/mistakes/.
+"""
+import html
+import os
+import shutil
+import subprocess
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+HERE = Path(__file__).parent
+PROGRAM_TIME = 60  # seconds: a mistake may never come to an end
+SIZE = "320x240"
+# The last picture of the lecture, flat and with light.
+PICTURES = (("flat", "06-ray-casting", ()), ("shaded", "07-shading", ("chapters/06-ray-casting/three-spheres.nff",)))
+
+Mistake = namedtuple("Mistake", "number stem function id words")
+
+
+def known(build):
+    listed = subprocess.run([build / "tests/mistaken/06-ray-casting", "list"], capture_output=True, text=True, check=True)
+    return [Mistake(number, *line.split("\t")) for number, line in enumerate(listed.stdout.splitlines())]
+
+
+def names():
+    """NAME: (FUNCTION, ID)"""
+    lines = (HERE / "names.txt").read_text(encoding="utf-8").splitlines()
+    return {name: (function, mistake) for name, function, mistake in
+            (line.split() for line in lines if line and not line.startswith("#"))}
+
+
+def find(mistakes, name):
+    function, mistake = names().get(name) or (name.partition("/")[::2])
+    found = [each for each in mistakes if (each.function, each.id) == (function, mistake)]
+    if not found:
+        sys.exit(f"make mistake NAME={name}: there is no such mistake. 'make mistakes' lists those with a name; "
+                 "others are FUNCTION/ID, as in tests/NN-stem/wrong.c")
+    return found[0]
+
+
+def run(*command):
+    """What a program prints; None if it fails, as it may by a mistake."""
+    try:
+        done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False, timeout=PROGRAM_TIME)
+    except (subprocess.TimeoutExpired, UnicodeDecodeError):
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
+def casts(build, mistake, folder):
+    """The pictures by the mistake, yours-KIND.png, and right-KIND.png; those that differ."""
+    differing = []
+    for kind, stem, scene in PICTURES:
+        for who, number in (("right", -1), ("yours", mistake.number)):
+            picture = folder / f"{who}-{kind}.png"
+            picture.unlink(missing_ok=True)
+            run(build / "tests/mistaken" / stem, number, "-o", picture, "-s", SIZE, *scene)
+        yours, right = (folder / f"{who}-{kind}.png" for who in ("yours", "right"))
+        if yours.exists() and yours.read_bytes() != right.read_bytes():
+            differing.append(kind)
+    return differing
+
+
+def scripts(build, mistake, folder):
+    """The scripts of the figures that differ, FOLDER/NAME/NAME.gp; their names in the order of the chapters."""
+    drawn = []
+    for layout in sorted(Path("chapters").glob("0*/figures/*.gp")):
+        stem, name = layout.parts[1], layout.stem
+        right = build / "solutions/figures" / name / f"{name}.gp"
+        if stem < mistake.stem or not right.exists():
+            continue
+        script = run(build / "tests/mistaken" / stem, mistake.number, "--figure", name, "--beside", right,
+                     "--note", mistake.words)
+        if script and "\nwrong = 1\n" in script:
+            (folder / name).mkdir()
+            (folder / name / f"{name}.gp").write_text(script, encoding="utf-8")
+            drawn.append(name)
+    return drawn
+
+
+def draw(folder, figures):
+    """SVGs for the page; and a PDF of each, which is a slide."""
+    settings = {"FORMAT": "svg,pdf", "THEME": "light,dark", "SHAPE": "16:9", "STEPS": "0"}
+    subprocess.run([sys.executable, "-B", "chapters/gallery/draw_figures.py", folder, *figures],
+                   env={**os.environ, **settings}, check=True, stdout=subprocess.DEVNULL)
+
+
+# ---- the page -------------------------------------------------------------------------------------
+
+STYLE = """body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 1.1rem/1.5 system-ui, sans-serif }
+img { max-width: 100%; height: auto } figure { margin: 1.5rem 0 } .pair { display: flex; flex-wrap: wrap; gap: 1rem }
+.pair figure { margin: 0; flex: 1 1 16rem } code { font-size: 0.95em }
+:root { color-scheme: light dark; background: Canvas; color: CanvasText }"""
+
+
+def page(path, title, body):
+    path.write_text(f"<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+                    f"content=\"width=device-width\">\n<title>{html.escape(title)}</title>\n<style>{STYLE}</style>\n"
+                    f"<h1>{html.escape(title)}</h1>\n{body}", encoding="utf-8")
+
+
+def picture(file, words):
+    return f'<figure><img src="{file}" alt="{html.escape(words)}"><figcaption>{html.escape(words)}</figcaption></figure>'
+
+
+def figure(name, words):
+    return f"""<h2>{name}</h2>
+<figure><picture><source media="(prefers-color-scheme: dark)" srcset="{name}/{name}-dark.svg">
+<img src="{name}/{name}.svg" alt="{html.escape(words)}"></picture></figure>
+<p>As a slide: <a href="{name}/{name}.pdf">light</a>, <a href="{name}/{name}-dark.pdf">dark</a></p>
+"""
+
+
+def show(build, name):
+    mistake = find(known(build), name)
+    folder = build / "mistakes" / name.replace("/", "-")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    kinds, figures = casts(build, mistake, folder), scripts(build, mistake, folder)
+    if figures:
+        draw(folder, figures)
+    body = f"<p>{html.escape(mistake.words)}</p>\n"
+    for kind in kinds:
+        body += f'<div class="pair">{picture(f"right-{kind}.png", "expected")}{picture(f"yours-{kind}.png", "yours")}</div>\n'
+    for each in figures:
+        body += figure(each, (folder / each / f"{each}.txt").read_text(encoding="utf-8"))
+    body += "" if kinds or figures else "<p>No picture and no figure of the lecture shows it: its numbers are too ordinary.</p>"
+    page(folder / "index.html", name, body)
+    print(f"{mistake.words}\nPictures that differ: {' '.join(kinds) or 'none'}\nFigures that differ: {' '.join(figures) or 'none'}\n"
+          f"A page: {folder}/index.html; a figure as a slide: {folder}/FIGURE/FIGURE.pdf")
+
+
+def list_all(build):
+    mistakes, body = known(build), ""
+    for name in names():
+        mistake, folder = find(mistakes, name), build / "mistakes/pictures" / name
+        folder.mkdir(parents=True, exist_ok=True)
+        kinds = casts(build, mistake, folder)
+        body += f"<h2>{name}</h2>\n<p>{html.escape(mistake.words)}</p>\n<div class=\"pair\">"
+        body += "".join(picture(f"pictures/{name}/{who}-{kind}.png", words) for kind in kinds[:1]
+                        for who, words in (("right", "expected"), ("yours", "yours"))) + "</div>\n"
+        body += f"<p><code>make mistake NAME={name}</code></p>\n"
+        print(f"{name:17} {mistake.stem}  {mistake.words}"[:200])
+    page(build / "mistakes/index.html", "Known mistakes", body)
+    print(f"Their pictures: {build}/mistakes/index.html")
+
+
+def main(what, build, name=""):
+    if what == "show":
+        show(Path(build), name)
+    else:
+        list_all(Path(build))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
