@@ -568,7 +568,7 @@ static LookAt random_look_at(Camera c)
 }
 
 // The hand whose thumb, first and middle finger are right, up and forward.
-static Handedness hand_of(Camera c)
+static Handedness handedness_of(Camera c)
 {
     return vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0 ? LEFT_HANDED : RIGHT_HANDED;
 }
@@ -632,7 +632,7 @@ TEST(camera_from_look_at, the_look_at_of_any_camera_gives_it_back)
         LookAt view = random_look_at(c);
         if (i > 12)
             view.up *= 1e-11;
-        look_finds(view, hand_of(c), c);
+        look_finds(view, handedness_of(c), c);
     }
 }
 
@@ -645,7 +645,7 @@ TEST(camera_from_look_at, a_look_at_in_worlds_of_any_size_gives_the_camera)
         Camera c = camera_of_any_size(i, &size), found;
         LookAt view = random_look_at(c);
         view.up *= random_scale((5 * i) % SIZES, SIZES);
-        CameraFault fault = look(view, hand_of(c), &found);
+        CameraFault fault = look(view, handedness_of(c), &found);
         expect_found(fault, found, c, size);
     }
 }
@@ -655,7 +655,7 @@ TEST(camera_from_look_at, a_look_at_keeps_the_rays_to_twelve_digits)
     for (int i = 0; i < 15; i++) {
         Camera c = camera_number(i), found;
         Normalized place = random_place();
-        CameraFault fault = look(random_look_at(c), hand_of(c), &found);
+        CameraFault fault = look(random_look_at(c), handedness_of(c), &found);
         expect_same_ray_through(place, fault, found, c);
     }
 }
@@ -668,7 +668,7 @@ EXTRA_TEST(camera_from_look_at, up_may_be_almost_along_an_oblique_view)
         Camera c = random_camera(), found;
         LookAt view = {c.origin, c.origin + c.distance * c.forward, c.forward + 1e-8 * c.up,
                        c.width, c.width / c.height};
-        expect_fault(look(view, hand_of(c), &found), CAMERA_OK);
+        expect_fault(look(view, handedness_of(c), &found), CAMERA_OK);
     }
 }
 

@@ -24,7 +24,7 @@ static void three_questions(Camera c)
     story_line("30% across, 10% up", "%s", vec3_text(across_30_up_10(c)).s);
 }
 
-static void walk_to(Camera c, double s, double t)
+static void steps_to(Camera c, double s, double t)
 {
     vec3 middle = image_plane_vector(c, 0.5, 0.5);
     vec3 sideways = image_plane_vector(c, s, 0.5);
@@ -106,7 +106,7 @@ int main(int argc, char **argv)
     story_heading("The camera <p, r, u, f, d, w, h>");
     story_camera(c);
     three_questions(c);
-    walk_to(c, view.s, view.t);
+    steps_to(c, view.s, view.t);
     doubling(c);
     return story_end();
 }

@@ -4,7 +4,7 @@
 #include "exercises/01-corners.h"
 
 // In a right-handed world, right x up points back at the viewer.
-Handedness hand_of(Camera c)
+Handedness handedness_of(Camera c)
 {
     return vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0 ? LEFT_HANDED : RIGHT_HANDED;
 }

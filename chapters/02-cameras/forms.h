@@ -13,7 +13,7 @@ typedef struct {
 // The other forms of this camera, computed with the vectors of exercise 01.
 Forms forms_of(Camera camera);
 
-// The hand of its frame.
-Handedness hand_of(Camera camera);
+// The handedness of its frame.
+Handedness handedness_of(Camera camera);
 
 #endif

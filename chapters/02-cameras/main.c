@@ -1,8 +1,8 @@
 // main.c - chapter 02: other ways to give a camera.
 //
 // Shows one camera in all five forms of the slides and finds it again from each; then one look-at
-// in worlds of both hands, the angle that NFF gives, and numbers that are not a camera. Its picture
-// shows both hands.
+// in worlds of either handedness, the angle that NFF gives, and numbers that are not a camera. Its
+// picture shows both.
 #include "chapters/02-cameras/figures/figures.h"
 #include "chapters/02-cameras/forms.h"
 #include "chapters/shared/example.h"
@@ -61,9 +61,10 @@ static int floor_picture(const char *path)
 
 // ---- the story ----------------------------------------------------------------------------------
 
-static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
+static const char *const handedness_names[] = {
+    [RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
 
-static bool option_hand(const char *text, void *into)
+static bool option_handedness(const char *text, void *into)
 {
     *(int *)into = strcmp(text, "left") == 0 ? LEFT_HANDED : RIGHT_HANDED;
     return strcmp(text, "left") == 0 || strcmp(text, "right") == 0;
@@ -108,7 +109,7 @@ static void five_forms(Camera c)
     Forms forms = forms_of(c);
     LookAt view = forms.look_at;
 
-    story_heading("1. A frame <p, r, u, f, d, w, h>: %s", hands[hand_of(c)]);
+    story_heading("1. A frame <p, r, u, f, d, w, h>: %s", handedness_names[handedness_of(c)]);
     story_camera(c);
     story_heading("2. Look-at");
     story_line("eye", "%s", vec3_text(view.eye).s);
@@ -129,7 +130,7 @@ static void five_forms(Camera c)
 
     story_heading("And back: the frame that was found from each form");
     Camera found = c;
-    CameraFault fault = camera_from_look_at(view, hand_of(c), &found);
+    CameraFault fault = camera_from_look_at(view, handedness_of(c), &found);
     show_back("from the look-at", fault, found, c);
     fault = camera_from_points(c.origin, forms.points, &found);
     show_back("from four points", fault, found, c);
@@ -140,18 +141,18 @@ static void five_forms(Camera c)
     show_back("from four vectors", fault, found, c);
 }
 
-static void both_hands(Camera c)
+static void both_worlds(Camera c)
 {
     story_heading("The same look-at in a right-handed and in a left-handed world");
     for (Handedness hand = RIGHT_HANDED; hand <= LEFT_HANDED; hand++) {
         Camera found = c;
         CameraFault fault = camera_from_look_at(forms_of(c).look_at, hand, &found);
         if (answers_missing() > 0)
-            story_line(hands[hand], "not answered yet");
+            story_line(handedness_names[hand], "not answered yet");
         else if (fault != CAMERA_OK)
-            story_line(hands[hand], "refused: %s", camera_fault_text(fault));
+            story_line(handedness_names[hand], "refused: %s", camera_fault_text(fault));
         else
-            story_line(hands[hand], "right %s", vec3_text(found.right).s);
+            story_line(handedness_names[hand], "right %s", vec3_text(found.right).s);
     }
     printf("  If you mix them up, the picture is mirrored.\n");
 }
@@ -182,10 +183,11 @@ static void refusals(Camera c)
     const struct {
         const char *description;
         CameraFault fault;
-    } tries[] = {{"looking at the eye", camera_from_look_at(at_the_eye, hand_of(c), &unused)},
-                 {"up along the view", camera_from_look_at(up_along_view, hand_of(c), &unused)},
-                 {"one corner moved", camera_from_vectors(c.origin, skew, &unused)},
-                 {"a plane not straight ahead", camera_from_vectors(c.origin, sideways, &unused)}};
+    } tries[] = {
+        {"looking at the eye", camera_from_look_at(at_the_eye, handedness_of(c), &unused)},
+        {"up along the view", camera_from_look_at(up_along_view, handedness_of(c), &unused)},
+        {"one corner moved", camera_from_vectors(c.origin, skew, &unused)},
+        {"a plane not straight ahead", camera_from_vectors(c.origin, sideways, &unused)}};
     for (int i = 0; i < 4; i++)
         story_line(tries[i].description, "%s",
                    answers_missing() > 0 ? "not answered yet" : camera_fault_text(tries[i].fault));
@@ -229,7 +231,7 @@ int main(int argc, char **argv)
         CAMERA_OPTIONS(c),
         {"at", 'a', "X,Y,Z", option_vec3, &at, "the look-at point, with --eye, --up, --width"},
         {"aspect", 0, "RATIO", option_number, &aspect, "of a look-at: width / height (1)"},
-        {"hand", 0, "left|right", option_hand, &hand,
+        {"handedness", 0, "left|right", option_handedness, &hand,
          "of a look-at: the handedness of the world (right)"},
         {"picture", 0, "FILE.png", option_string, &picture,
          "draw a floor in a right-handed and a left-handed world"},
@@ -246,7 +248,7 @@ int main(int argc, char **argv)
     if (given(at) && frame_only)
         options_wrong(argv[0], "--at already gives right, forward, distance and height");
     if (!given(at) && (!isnan(aspect) || hand >= 0))
-        options_wrong(argv[0], "--aspect and --hand need --at");
+        options_wrong(argv[0], "--aspect and --handedness need --at");
 
     vec3 up = given(c.up) ? c.up : example.up;
     c.origin = given(c.origin) ? c.origin : example.origin;
@@ -270,7 +272,7 @@ int main(int argc, char **argv)
         story_line("at right angles to f", "%s", vec3_text(c.up).s);
     }
     five_forms(c);
-    both_hands(c);
+    both_worlds(c);
     angles(c);
     refusals(c);
     return story_end();

@@ -1,7 +1,7 @@
 // export.c - the scene for POV-Ray and pbrt-v4, with the same camera.
 //
 // Both have left-handed worlds. Nothing has to be mirrored: the camera is not written as a look-at,
-// but as its own three directions, and those give the same picture in a world of either hand.
+// but as its own three directions, and those give the same picture in a world of either handedness.
 #include "chapters/07-shading/export.h"
 
 #include "common/whole_file.h"

@@ -4,15 +4,17 @@
 #include "chapters/shared/example.h"
 #include "common/text.h"
 
-static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
+static const char *const handedness_names[] = {
+    [RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
 
-static void fill_hand(Camera c)
+static void fill_handedness(Camera c)
 {
-    Handedness hand = hand_of(c);
+    Handedness hand = handedness_of(c);
     fill_vector("right_x_up", vec3_cross(c.right, c.up));
     fill_text("same_as", "%s", hand == LEFT_HANDED ? "f" : "-f");
-    fill_text("hand", "%s", hands[hand]);
-    fill_text("other_hand", "%s", hands[hand == LEFT_HANDED ? RIGHT_HANDED : LEFT_HANDED]);
+    fill_text("handedness", "%s", handedness_names[hand]);
+    fill_text("other_handedness", "%s",
+              handedness_names[hand == LEFT_HANDED ? RIGHT_HANDED : LEFT_HANDED]);
     fill_vector("minus_right", -c.right);
 }
 
@@ -21,7 +23,7 @@ void fill_numbers(void)
     Camera c = example_camera();
     Forms forms = forms_of(c);
     fill_camera(c);
-    fill_hand(c);
+    fill_handedness(c);
     fill_vector("at", forms.look_at.at);
     fill_number("aspect", forms.look_at.aspect);
     fill_vector("point_upper_left", forms.points.upper_left);

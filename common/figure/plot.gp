@@ -132,7 +132,7 @@ dimension = sprintf("vectors heads filled size %g,16,90 lw 1", 8)
 ray = "lines lw 3"
 hidden = "lines lw 3 dt (3.4,3)"
 # Without a head; of the world; and a plane that lets the things behind it shine through.
-leg = "vectors nohead lw 1.2"
+segment = "vectors nohead lw 1.2"
 axis = sprintf("vectors head filled size %g,18,90 lw 1", 9)
 glass = "transparent solid 0.6"
 dot = sprintf("points pt 7 ps %g", 0.55)

@@ -7,11 +7,11 @@
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
-static double half_way = 14;
+static double half_distance = 14;
 
 // The colour that is left of 'color' after a way of this length through fog of the colour 'fog'. On
-// each piece of the way of the length 'half_way', half of the light is lost and replaced by the
-// fog's.
+// each piece of the way of the length 'half_distance', half of the light is lost and replaced by
+// the fog's.
 static Color seen_through_fog(Color color, Color fog, double length)
 {
     // BEGIN SOLUTION
@@ -33,7 +33,8 @@ static Color color_of_pixel(const Drawing *drawing, Pixel pixel)
 int main(int argc, char **argv)
 {
     const Option options[] = {
-        {"half", 'd', "LENGTH", option_number, &half_way, "way on which half is lost (14)"}, {0}};
+        {"half", 'd', "LENGTH", option_number, &half_distance, "way on which half is lost (14)"},
+        {0}};
     return task_run(argc, argv,
                     (Task){.purpose = "Draws a row of columns in fog.",
                            .scene = "exercises/optional/columns.nff",

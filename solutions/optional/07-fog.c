@@ -7,16 +7,16 @@
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
-static double half_way = 14;
+static double half_distance = 14;
 
 // The colour that is left of 'color' after a way of this length through fog of the colour 'fog'. On
-// each piece of the way of the length 'half_way', half of the light is lost and replaced by the
-// fog's.
+// each piece of the way of the length 'half_distance', half of the light is lost and replaced by
+// the fog's.
 static Color seen_through_fog(Color color, Color fog, double length)
 {
     // BEGIN SOLUTION
     //~ return NOT_ANSWERED(Color);
-    double left = pow(0.5, length / half_way);
+    double left = pow(0.5, length / half_distance);
     return left * color + (1 - left) * fog;
     // END SOLUTION
 }
@@ -35,7 +35,8 @@ static Color color_of_pixel(const Drawing *drawing, Pixel pixel)
 int main(int argc, char **argv)
 {
     const Option options[] = {
-        {"half", 'd', "LENGTH", option_number, &half_way, "way on which half is lost (14)"}, {0}};
+        {"half", 'd', "LENGTH", option_number, &half_distance, "way on which half is lost (14)"},
+        {0}};
     return task_run(argc, argv,
                     (Task){.purpose = "Draws a row of columns in fog.",
                            .scene = "exercises/optional/columns.nff",

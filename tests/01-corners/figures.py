@@ -2,7 +2,7 @@
 import os
 import random
 
-from cameras import DECK, beside_right, corners, legs, options_of, some_camera
+from cameras import DECK, beside_right, corners, vector_to, options_of, some_camera
 from check import SHAPES, Checks, drawn, holds_for_every, nothing_collides, on_the_canvas
 from figure import Figure, plus, times
 from shown import shown, shown_vector
@@ -12,7 +12,7 @@ checks = Checks("figures of 01-corners")
 
 def place_of(c, s, t):
     """The point of the world that is s across, t up."""
-    return plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1))
+    return plus(c["p"], vector_to(c, 2 * s - 1, 2 * t - 1))
 
 
 def arrow(figure, title, start, end, aside=(0, 0)):
@@ -71,7 +71,7 @@ def axes(figure, c, middle):
 def corner_vectors(c, options, shape):
     figure = drawn(checks, "01-corners", "corner-vectors", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=34)
-    left, right = legs(c, -1, 1), legs(c, 1, 1)
+    left, right = vector_to(c, -1, 1), vector_to(c, 1, 1)
     checks.same("the upper left corner's data", figure.block("upper_left")[0], [*c["p"], *left])
     checks.same("the upper right corner's data", figure.block("upper_right")[0], [*c["p"], *right])
     checks.near("the arrow to the upper left", figure.tips("upper left"), figure.place(plus(c["p"], left)))
@@ -90,7 +90,7 @@ def corner_vectors(c, options, shape):
 def point_30_10(c, options, shape, s=0.3, t=0.1):
     figure = drawn(checks, "01-corners", "point-30-10", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=42)
-    vector, point = legs(c, 2 * s - 1, 2 * t - 1), place_of(c, s, t)
+    vector, point = vector_to(c, 2 * s - 1, 2 * t - 1), place_of(c, s, t)
     checks.same("the point's data", figure.block("vector")[0], [*c["p"], *vector])
     checks.near("the point", figure.dots("point"), figure.place(point))
     checks.near("its place", figure.dots("place"), figure.place(point))
@@ -116,13 +116,13 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     larger = {"plane": 1, "twice": 2, "unit": 1 / c["d"]}
     for title, factor in larger.items():
         outline(figure, title, c, [plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c)])
-    through = [plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), factor) for factor in larger.values()]
+    through = [plus(c["p"], vector_to(c, 2 * s - 1, 2 * t - 1), factor) for factor in larger.values()]
     checks.near("all at one place", figure.dots("same place"), [figure.place(p) for p in through])
     far = 1.15 * max(larger.values())
     ends = [plus(c["p"], plus(corners(c)[i], c["p"], -1), far) for i in (0, 1, 3, 2)]
     checks.near("the rays", [stroke[-1] for stroke in figure.strokes("rays")], [figure.place(p) for p in ends])
     checks.near("the ray", figure.tips("one ray"),
-                figure.place(plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), far)))
+                figure.place(plus(c["p"], vector_to(c, 2 * s - 1, 2 * t - 1), far)))
     checks.shows(figure, *(f"{n} = {shown(c[n])}" for n in "dwh"), *(f"2 {n} = {shown(2 * c[n])}" for n in "dwh"),
                  *(f"{n}/d = {shown(c[n] / c['d'])}" for n in "dwh"))
     for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", 1 / c["d"])):
@@ -143,7 +143,7 @@ def yours_beside_right():
     wrong = dict(DECK, w=3)
     figure, same = beside_right("01-corners", "corner-vectors", wrong, DECK)
     figure.see(DECK["r"], DECK["u"], DECK["f"], azimuth=34)
-    ends = [plus(c["p"], legs(c, 1, 1)) for c in (DECK, wrong)]
+    ends = [plus(c["p"], vector_to(c, 1, 1)) for c in (DECK, wrong)]
     checks.near("right and yours", figure.tips("upper right"), [figure.place(p) for p in ends])
     dashed = [path.get("stroke-dasharray") for group in figure.groups("upper right")
               for path in group.iter() if "M" in (path.get("d") or "") and "Z" not in path.get("d")]
@@ -158,8 +158,8 @@ def yours_and_right(c, options, yours=None):
     """The point 30% across and 10% up; by default, an answer that starts from the middle."""
     figure = Figure("01-corners", "yours-and-right", *options)
     figure.see(c["r"], c["u"], c["f"])
-    right = legs(c, -0.4, -0.8)
-    yours = yours or legs(c, 0.6, 0.2)
+    right = vector_to(c, -0.4, -0.8)
+    yours = yours or vector_to(c, 0.6, 0.2)
     checks.same("yours and right: data", [figure.block("answer")[0], figure.block("yours")[0]],
                 [[*c["p"], *right], [*c["p"], *yours]])
     checks.near("yours and right: right", figure.tips("right"), figure.place(plus(c["p"], right)))

@@ -13,7 +13,7 @@ static double along(Camera c, int axis, double x, double y, double z)
     return fma(z, c.forward[axis], fma(y, c.up[axis], x * c.right[axis]));
 }
 
-RIGHT(upper_left, "leg by leg, up before right")
+RIGHT(upper_left, "step by step, up before right")
 {
     vec3 way = c.forward * c.distance;
     way += c.up * c.height * 0.5;

@@ -101,7 +101,7 @@ def looking(dice):
     options = []
     for name, v in (("--eye", eye), ("--at", at), ("--up", up)):
         options += [name, ",".join(f"{x:.17g}" for x in v)]
-    return camera, options + ["--width", width, "--aspect", aspect, "--hand", hand], up
+    return camera, options + ["--width", width, "--aspect", aspect, "--handedness", hand], up
 
 
 def yours_beside_right():

@@ -36,7 +36,7 @@ class Chance(Random):
         return self.choice((1, -1))
 
     def frame(self):
-        """right, up, forward: along the axes, or turned in any way; of either hand."""
+        """right, up, forward: along the axes, or turned in any way; of either handedness."""
         if self.random() < 0.5:
             first, second = self.sample(range(3), 2)
             right, up = ([self.sign() if i == axis else 0 for i in range(3)] for axis in (first, second))

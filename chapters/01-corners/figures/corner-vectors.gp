@@ -1,4 +1,4 @@
-# corner-vectors.gp - the two upper corners, each a sum of three legs (slide 'Finding vectors').
+# corner-vectors.gp - the two upper corners, each a sum of three steps (slide 'Finding vectors').
 title = "From the eye to the upper corners"
 description = sprintf("The vector from the eye p to the upper left corner of the image plane is \
 d f − (w/2) r + (h/2) u = %s. The vector to the upper right corner is d f + (w/2) r + (h/2) u = %s. Each is the sum \

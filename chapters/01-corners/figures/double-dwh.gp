@@ -27,7 +27,7 @@ plot @step2 $twice_plane index 0 using @point with filledcurves closed fc rgb su
     @step3 $unit_plane_d index 0 using @vector with @dimension lc rgb pink title "unit plane d", \
     @step3 $unit_plane_w index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "unit plane w", \
     @step3 $unit_plane_h index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "unit plane h", \
-    @who $rays index who every ::0::3 using @vector with @leg lc rgb blue dt dash(who) title "rays", \
+    @who $rays index who every ::0::3 using @vector with @segment lc rgb blue dt dash(who) title "rays", \
     @step4 @who $rays index who every ::4::4 using @vector with @arrow lc rgb blue dt dash(who) title "one ray", \
     @step4 $same_place index 0 using @point with @dot lc rgb blue title "same place", \
     $eye using @point with @dot lc rgb blue title "eye", \

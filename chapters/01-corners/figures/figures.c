@@ -118,8 +118,8 @@ static void place_handle(Plot *plot, const View *view)
 
 // ---- vectors to the plane ---------------------------------------------------------------------
 
-// The legs of the walk to both upper corners: forward to the middle, half a width sideways, half a
-// height up. Each leg is the difference of two vectors of exercise 01.
+// The steps to both upper corners: forward to the middle, half a width sideways, half a
+// height up. Each step is the difference of two vectors of exercise 01.
 static void corner_vectors(Plot *plot, void *given)
 {
     Camera c = ((const View *)given)->camera;
@@ -150,7 +150,7 @@ static void corner_vectors(Plot *plot, void *given)
     camera_handles(plot, c);
 }
 
-// The point s across and t up: its parts of the edges, and the legs of the walk to it. The slide's
+// The point s across and t up: its parts of the edges, and the steps to it. The slide's
 // point, 30% and 10%, comes from the function that answers the slide's question.
 static void point_30_10(Plot *plot, void *given)
 {

@@ -12,8 +12,8 @@ gap = 14
 plot $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     $grid index 0 using @point with lines lw 0.4 lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
-    $column index 0 using @vector with @leg lc rgb green title "column", \
-    $row index 0 using @vector with @leg lc rgb orange title "row", \
+    $column index 0 using @vector with @segment lc rgb green title "column", \
+    $row index 0 using @vector with @segment lc rgb orange title "row", \
     $column index 0 using @tip with @dot lc rgb ink title "place", \
     $across index 0 using (@point_x):(@point_y - gap):@moved with @dimension lc rgb orange title "across", \
     $upward index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "upward", \

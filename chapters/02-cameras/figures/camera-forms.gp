@@ -26,7 +26,7 @@ plot for [panel=1:(step < 4 ? step : 4)] $plane index 0 using @point with filled
     @found2 $found2 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
     @found3 $found3 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
     @found4 $found4 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
-    $view index 0 using @vector with @leg lc rgb pink dt 3 title "view", \
+    $view index 0 using @vector with @segment lc rgb pink dt 3 title "view", \
     $at index 0 using @point with @dot lc rgb pink title "at", \
     $up_arrow index 0 using @vector with @arrow lc rgb green title "up", \
     $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "w", \

@@ -193,7 +193,7 @@ static void camera_forms(Plot *plot, void *given)
     const vec3 vectors_to[] = {v.upper_left, v.upper_right, v.lower_left, v.lower_right};
 
     Camera at = {0}, from_four = {0}, corner = {0}, vectors = {0};
-    CameraFault from_at = camera_from_look_at(forms.look_at, hand_of(c), &at);
+    CameraFault from_at = camera_from_look_at(forms.look_at, handedness_of(c), &at);
     CameraFault from_points = camera_from_points(eye, p, &from_four);
     CameraFault from_corner =
         camera_from_corner(eye, p.lower_left, forms.across, forms.upward, &corner);
@@ -245,7 +245,7 @@ static void from_eye(Plot *plot, const char *name, vec3 eye, vec3 arrow)
 static void frame_panel(Plot *plot, Camera c, vec3 up, Camera found)
 {
     vec3 eye = c.origin, f = c.forward, u = c.up;
-    bool is_right_handed = hand_of(c) == RIGHT_HANDED;
+    bool is_right_handed = handedness_of(c) == RIGHT_HANDED;
     plot_room(plot, (Room){0.03, 0.55, 0.05, 0.58}, (Room){0.03, 0.55, 0.05, 0.58});
     plot_point(plot, "eye", eye);
     plot_block(plot, "sheet", "x y z round a part of the plane of f and the given up");
@@ -312,7 +312,7 @@ static void look_at(Plot *plot, void *given)
     Camera c = g->camera, found = {0};
     vec3 up = leaning(*g);
     LookAt view = {c.origin, c.origin + c.distance * c.forward, up, c.width, c.width / c.height};
-    if (camera_from_look_at(view, hand_of(c), &found) != CAMERA_OK)
+    if (camera_from_look_at(view, handedness_of(c), &found) != CAMERA_OK)
         found = (Camera){.origin = c.origin};
     plot_direction(plot, "right", c.right);
     plot_direction(plot, "up", c.up);

@@ -15,7 +15,7 @@ along2 = flat2.":(size[2]*$4):(size[2]*$5)"
 
 plot $ground using @along with @stroke lc rgb ink title "surface", \
     $normal using @along with @arrow lc rgb green title "normal", \
-    for [_=1:arrives] $middle using @along with @leg dt 3 lc rgb orange title "l", \
+    for [_=1:arrives] $middle using @along with @segment dt 3 lc rgb orange title "l", \
     for [_=1:arrives] $theta using @flat with @lines lc rgb orange title "theta", \
     for [_=1:arrives] @who $beam_edges index who using @along with @arrow lc rgb orange dt dash(who) title "beam", \
     for [_=1:arrives] $across using @along with @dimension lc rgb ink title "across", \

@@ -14,7 +14,7 @@ plot for [i=0:2] "$ball".i using @flat with filledcurves closed fc rgb surface f
     for [i=0:2] "$ball".i using @flat with @lines lc rgb ink title "outline", \
     @who $seen index who using @along with @arrow lc rgb grey dt dash(who) title "seen", \
     @who $n index who using @along with @arrow lc rgb green dt dash(who) title "n", \
-    @step2 $to_light index wrong using @along with @leg dt 3 lc rgb grey title "to the light", \
+    @step2 $to_light index wrong using @along with @segment dt 3 lc rgb grey title "to the light", \
     @step2 @who $lit index who using @along with @arrow lc rgb orange dt dash(who) title "shadow ray", \
     @step3 @who $mirrored index who using @along with @arrow lc rgb blue dt dash(who) title "mirrored ray", \
     $point index 0 using @flat with @dot lc rgb ink title "point", \

@@ -18,8 +18,8 @@ plot $circle using @flat_point with filledcurves closed fc rgb surface fs solid 
     @step2 $radius using @flat with @thin_arrow lc rgb ink title "r", \
     for [_=1:step >= 3 && !nothing] @who $left_line index who using @flat with vectors nohead lw 2.2 lc rgb orange dt dash(who) title "left line", \
     for [_=1:step >= 3 && !nothing] @who $right_line index who using @flat with vectors nohead lw 2.2 lc rgb green dt dash(who) title "right line", \
-    for [_=1:step >= 3 && !nothing] $left_radius index 0 using @flat with @leg dt 2 lc rgb grey title "to the left line", \
-    for [_=1:step >= 3 && !nothing] $right_radius index 0 using @flat with @leg dt 2 lc rgb grey title "to the right line", \
+    for [_=1:step >= 3 && !nothing] $left_radius index 0 using @flat with @segment dt 2 lc rgb grey title "to the left line", \
+    for [_=1:step >= 3 && !nothing] $right_radius index 0 using @flat with @segment dt 2 lc rgb grey title "to the right line", \
     for [_=1:step >= 4 && !nothing] @who $left_mark index who using @flat_point with points pt mark(who) ps 0.55 lc rgb orange title "left", \
     for [_=1:step >= 4 && !nothing] @who $right_mark index who using @flat_point with points pt mark(who) ps 0.55 lc rgb green title "right", \
     $eye using @flat_point with @dot lc rgb blue title "eye", \

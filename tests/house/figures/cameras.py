@@ -8,7 +8,7 @@ DECK = {"p": (2, 2, -4), "r": (1, 0, 0), "u": (0, 1, 0), "f": (0, 0, 1), "d": 4,
 
 
 def some_camera(dice, one=1.0):
-    """Any camera, of either hand, in such units; three vectors made perpendicular by Gram and Schmidt."""
+    """Any camera, of either handedness, in such units; three vectors made perpendicular by Gram and Schmidt."""
     def direction():
         while True:
             v = [dice.uniform(-1, 1) for _ in range(3)]
@@ -33,14 +33,14 @@ def options_of(c):
             "--forward", words(c["f"]), "--distance", c["d"], "--width", c["w"], "--height", c["h"]]
 
 
-def legs(c, across, upward):
+def vector_to(c, across, upward):
     """Ahead, aside by that number of halves of the width, up by that number of halves of the height."""
     return plus(plus(times(c["d"], c["f"]), c["r"], across * c["w"] / 2), c["u"], upward * c["h"] / 2)
 
 
 def corners(c):
     """Of the image plane, as points of the world: upper left, upper right, lower right, lower left."""
-    return [plus(c["p"], legs(c, *corner)) for corner in ((-1, 1), (1, 1), (1, -1), (-1, -1))]
+    return [plus(c["p"], vector_to(c, *corner)) for corner in ((-1, 1), (1, 1), (1, -1), (-1, -1))]
 
 
 def beside_right(program, name, *cameras):

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 import png
-from cameras import DECK, legs
+from cameras import DECK, vector_to
 from check import SHAPES, Checks, nothing_collides
 from figure import Figure, dot, plus, times
 
@@ -22,7 +22,7 @@ FRAME = (DECK["r"], DECK["u"], DECK["f"])
 
 def place(s, t):
     """From the eye to a place of the image plane."""
-    return legs(DECK, 2 * s - 1, 2 * t - 1)
+    return vector_to(DECK, 2 * s - 1, 2 * t - 1)
 
 
 def judge(stem, *changes):
@@ -131,7 +131,7 @@ if figure is not None:
     checks.near("object: your arrow", figure.tips("yours"), figure.place(plus(yours, v)))
     checks.near("object: the centre", figure.dots("center"), figure.place((0, 0, 0)))
     has_words(figure, "from (−3, 3, 2) along (0, 0, −1)", "from (5, 1, 4) along (0, 0, −1)",
-              "starts off by (8, −2, 2)", "p + c")
+              "starts off by (8, −2, 2)", "p + C")
 
 # ---- cameras ----------------------------------------------------------------------------------------
 

@@ -6,7 +6,7 @@ on = "(U(1,$1)):(V(1,$2))"
 two = are_roots ? "for [_=1:0]" : "for [_=0:0]"
 
 plot $axis using @on:(size[1]*$4):(size[1]*$5) with @axis lc rgb grey title "axis", \
-    $ticks using (U(1,$1)):(V(1,$2)-4):(0):(8) with @leg lc rgb grey title "ticks", \
+    $ticks using (U(1,$1)):(V(1,$2)-4):(0):(8) with @segment lc rgb grey title "ticks", \
     $curve using @on with @thick lc rgb (are_roots ? ink : blue) title "curve", \
     @two @step2 $your_curve using @on with @thick lc rgb ink dt 2 title "your curve", \
     $answer using @on with @dot lc rgb blue title "right", \
