@@ -13,7 +13,6 @@ steps = 5
 
 # Each of the first four steps adds a panel. The fifth adds the cameras that were found.
 short = "vectors head filled size 9,18,90 lw 1.8"
-gap = 12
 frame_color(i) = i == 0 ? orange : i == 1 ? green : pink
 frame_name(i) = "ruf"[i + 1:i + 1]
 found1 = "for [panel=1:(step >= 5 ? 1 : 0)] for [who=0:wrong]"
@@ -29,7 +28,6 @@ plot for [panel=1:(step < 4 ? step : 4)] $plane index 0 using @point with filled
     $view index 0 using @vector with @segment lc rgb pink dt 3 title "view", \
     $at index 0 using @point with @dot lc rgb pink title "at", \
     $up_arrow index 0 using @vector with @arrow lc rgb green title "up", \
-    $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "w", \
     @step2 @panel2 $points index 0 using @point with @dot lc rgb ink title "points", \
     @step3 @panel3 $across index 0 using @vector with @arrow lc rgb orange title "across", \
     @step3 @panel3 $upward index 0 using @vector with @arrow lc rgb green title "upward", \

@@ -42,6 +42,12 @@ static void plot_words(Plot *plot, Found found)
     plot_label(plot, name, words.s);
 }
 
+// Of the arrows of a frame that is drawn at the middle of the plane.
+static double frame_length(Camera c)
+{
+    return fmax(c.distance, fmax(c.width, c.height)) / 5;
+}
+
 // The plane of a camera that was found, and its frame at the middle of it, in a form's panel:
 // $found1, $frame1.
 static void plot_found(Plot *plot, Found found, int form)
@@ -49,7 +55,7 @@ static void plot_found(Plot *plot, Found found, int form)
     char name[20];
     Camera c = found.camera;
     vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
-    double length = fmax(c.distance, fmax(c.width, c.height)) / 5;
+    double length = frame_length(c);
     plot_words(plot, found);
     snprintf(name, sizeof name, "found%d", form + 1);
     plane_outline(plot, name, c);
@@ -74,8 +80,8 @@ static void name_frame(Plot *plot)
 // What each panel has: the eye, and a part of the canvas of its own, under its title.
 static void begin_panel(Plot *plot, Given given, int form, const char *title)
 {
-    double left = form % 2 == 0 ? 0.03 : 0.53, bottom = form < 2 ? 0.49 : 0.10;
-    Room room = {left, left + 0.44, bottom, bottom + 0.29};
+    double left = form % 2 == 0 ? 0.08 : 0.58, bottom = form < 2 ? 0.51 : 0.11;
+    Room room = {left, left + 0.36, bottom, bottom + 0.29};
     Camera c = given.camera;
     char block[20];
     plot_panel(plot, form + 1);
@@ -83,11 +89,11 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     snprintf(block, sizeof block, "eye%d", form + 1);
     plot_point(plot, block, c.origin);
     plot_fit(plot, c.origin, 0);
-    int step = form + 1;
-    plot_name(plot, (Label){"eye", "blue", .step = step, .block = block});
-    double across = form % 2 == 0 ? 0.25 : 0.75, up = form < 2 ? 0.5 : 0;
-    const Label words = {title, "ink", .step = step};
-    plot_pin(plot, across, up + 0.46, &words, 1);
+    plot_fit(plot, c.origin + (c.distance + frame_length(c)) * c.forward, 0);
+    if (form == 0)
+        plot_name(plot, (Label){"eye", "blue", .step = 1, .block = block});
+    const Label words = {title, "ink", .step = form + 1};
+    plot_pin(plot, form % 2 == 0 ? 0.25 : 0.75, form < 2 ? 0.97 : 0.502, &words, 1);
 }
 
 enum { LINE = 104 }; // whose camera it is, a space, and its words
@@ -133,19 +139,12 @@ static void look_at_panel(Plot *plot, Forms forms)
     plot_vector(plot, "view", view.eye, view.at - view.eye);
     plot_vector(plot, "up_arrow", view.eye, up);
     plot_fit(plot, view.eye + up, 0);
-    plot_moved(plot, 0, 12);
-    plot_vector(plot, "upper_edge", forms.points.upper_left, forms.across);
     static const Label labels[] = {
-        {"at", "pink", .step = 1, .block = "at"},
+        {"at", "pink", .step = 1, .block = "view", .part = 0.97},
         {"up", "green", .step = 1, .block = "up_arrow", .part = 1},
-        {"$w$ = {w}\n$w/h$ = {aspect}", "orange", .step = 1, .block = "upper_edge",
-         .part = ANYWHERE},
     };
     plot_names(plot, labels, sizeof labels / sizeof *labels);
 }
-
-static const char *const corner_names[] = {"upper left", "upper right", "lower left",
-                                           "lower right"};
 
 // Four vectors from the eye, or the four points.
 static void corners_panel(Plot *plot, const char *block, const vec3 corners[4], vec3 eye, int step)
@@ -162,9 +161,6 @@ static void corners_panel(Plot *plot, const char *block, const vec3 corners[4], 
             plot_row_vector(plot, eye, corners[i]);
     }
     plot_block_end(plot);
-    for (int i = 0; i < 4; i++)
-        plot_name(plot, (Label){corner_names[i], are_points ? "ink" : "blue", .step = step,
-                                .block = block, .row = i, .part = 1});
 }
 
 static void corner_panel(Plot *plot, Forms forms)
@@ -173,9 +169,8 @@ static void corner_panel(Plot *plot, Forms forms)
     plot_vector(plot, "across", forms.points.lower_left, forms.across);
     plot_vector(plot, "upward", forms.points.lower_left, forms.upward);
     static const Label labels[] = {
-        {"lower left", "ink", .step = 3, .block = "lower_left"},
-        {"across", "orange", .step = 3, .block = "across", .part = ANYWHERE},
-        {"upward", "green", .step = 3, .block = "upward", .part = ANYWHERE},
+        {"across", "orange", .step = 3, .block = "across", .part = 1},
+        {"up", "green", .step = 3, .block = "upward", .part = 1},
     };
     plot_names(plot, labels, sizeof labels / sizeof *labels);
 }
@@ -201,7 +196,7 @@ static void camera_forms(Plot *plot, void *given)
 
     Found found[4];
     plot_apart(plot);
-    begin_panel(plot, *g, 0, "look-at");
+    begin_panel(plot, *g, 0, "look-at, $w/h$ = {aspect}");
     plane_data(plot, c, 1, 1);
     look_at_panel(plot, forms);
     found[0] = found_from("look_at", from_at, at, eye);
@@ -212,7 +207,7 @@ static void camera_forms(Plot *plot, void *given)
     corners_panel(plot, "points", points, eye, 2);
     found[1] = found_from("points", from_points, from_four, eye);
     plot_found(plot, found[1], 1);
-    begin_panel(plot, *g, 2, "corner and two vectors");
+    begin_panel(plot, *g, 2, "lower left, two vectors");
     corner_panel(plot, forms);
     found[2] = found_from("corner", from_corner, corner, eye);
     plot_found(plot, found[2], 2);
