@@ -175,6 +175,15 @@ V(panel, y) = zero_y[panel] + size[panel] * y
 point = "(X($1,$2,$3)):(Y($1,$2,$3))"
 vector = "(X($1,$2,$3)):(Y($1,$2,$3)):(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
 tip = "(X($1+$4,$2+$5,$3+$6)):(Y($1+$4,$2+$5,$3+$6))"
+# The same in a flat panel: '$DATA using @flat2 ...' in the second.
+flat1 = "(U(1,$1)):(V(1,$2))"
+flat2 = "(U(2,$1)):(V(2,$2))"
+flat3 = "(U(3,$1)):(V(3,$2))"
+flat4 = "(U(4,$1)):(V(4,$2))"
+along1 = flat1.":(size[1]*$4):(size[1]*$5)"
+along2 = flat2.":(size[2]*$4):(size[2]*$5)"
+along3 = flat3.":(size[3]*$4):(size[3]*$5)"
+along4 = flat4.":(size[4]*$4):(size[4]*$5)"
 
 # ---- single marks, and what is yours -------------------------------------------------------------------
 

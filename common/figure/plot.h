@@ -160,7 +160,7 @@ typedef struct {
 } Label;
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);
-void plot_names(Plot *plot, const Label *labels, size_t count);
+void plot_names(Plot *plot, const Label *labels, size_t count); // an empty text names nothing
 
 // A paragraph below the canvas, in lines as long as the canvas is wide.
 void plot_below(Plot *plot, const char *color, const char *words);

@@ -236,7 +236,8 @@ void plot_name(Plot *plot, Label label)
 void plot_names(Plot *plot, const Label *labels, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        plot_name(plot, labels[i]);
+        if (labels[i].text[0] != '\0')
+            plot_name(plot, labels[i]);
 }
 
 void plot_say(Plot *plot, double across, double up, const Label *lines, int count)

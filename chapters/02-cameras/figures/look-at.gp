@@ -7,8 +7,6 @@ plane at the distance %s. Half the width, %s, is opposite to half the angle, %s 
     eye_text, lean_text, r_text, u_text, distance_text, half_text, half_degrees_text)
 steps = 5
 
-flat2 = "(U(2,$1)):(V(2,$2))"
-along2 = flat2.":(size[2]*$4):(size[2]*$5)"
 
 plot @step2 $sheet using @point with filledcurves closed fc rgb surface fs solid noborder title "plane of f and up", \
     $view using @vector with @segment dt 2 lc rgb grey title "view", \

@@ -8,12 +8,6 @@ and its points are p + t v.", \
 steps = 5
 
 # Panel 1 is the world; 2 is the pixel under a lens, 3 is the screen, with y down, and 4 is the unit square.
-on2 = "(U(2,$1)):(V(2,$2))"
-on3 = "(U(3,$1)):(V(3,$2))"
-on4 = "(U(4,$1)):(V(4,$2))"
-along2 = on2.":(size[2]*$4):(size[2]*$5)"
-along3 = on3.":(size[3]*$4):(size[3]*$5)"
-along4 = on4.":(size[4]*$4):(size[4]*$5)"
 corner = "points pt 5 ps 0.5"
 area = "filledcurves closed fc rgb surface fs solid noborder"
 here = "filledcurves closed fc rgb blue fs transparent solid 0.35"
@@ -23,27 +17,27 @@ from_lens(up) = sprintf("(U(2,pixel_column+1)):(V(2,%d-pixel_row)):(U(3,pixel_co
 upper = from_lens(0)
 lower = from_lens(-1)
 
-plot $lens using @on2 with @here noborder title "pixel", \
-    $lens using @on2 with @thick lc rgb blue title "pixel, outline", \
-    $display using @on3 with @area title "screen, surface", \
-    $display using @on3 with @lines lc rgb ink title "screen", \
-    $lens using @on3 with @here border lc rgb blue title "pixel on the screen", \
+plot $lens using @flat2 with @here noborder title "pixel", \
+    $lens using @flat2 with @thick lc rgb blue title "pixel, outline", \
+    $display using @flat3 with @area title "screen, surface", \
+    $display using @flat3 with @lines lc rgb ink title "screen", \
+    $lens using @flat3 with @here border lc rgb blue title "pixel on the screen", \
     $once using @upper with @to_screen title "lens", \
     $once using @lower with @to_screen title "lens", \
     $once using (U(3,0)):(V(3,0)) with @corner lc rgb ink title "origin of the screen", \
     @step2 @who $lens_across index who using @along2 with @stroke lc rgb orange dt dash(who) title "half across", \
     @step2 @who $lens_up index who using @along2 with @stroke lc rgb green dt dash(who) title "half down", \
-    @step2 @who $lens_point index who using @on2 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center under the lens", \
+    @step2 @who $lens_point index who using @flat2 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center under the lens", \
     @step2 @who $display_across index who using @along3 with @stroke lc rgb orange dt dash(who) title "x of the center", \
     @step2 @who $display_up index who using @along3 with @stroke lc rgb green dt dash(who) title "y of the center", \
-    @step2 @who $display_point index who using @on3 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center", \
-    @step3 $unit using @on4 with @area title "square, surface", \
-    @step3 $unit using @on4 with @lines lc rgb ink title "square", \
+    @step2 @who $display_point index who using @flat3 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center", \
+    @step3 $unit using @flat4 with @area title "square, surface", \
+    @step3 $unit using @flat4 with @lines lc rgb ink title "square", \
     @step3 $once using (U(4,0)):(V(4,0)) with @corner lc rgb ink title "origin of the square", \
     @step3 $once using (U(3,screen_W)+12):(0.7*height):(U(4,0)-U(3,screen_W)-30):(0) with @arrow lc rgb ink title "mapping", \
     @step3 @who $unit_across index who using @along4 with @stroke lc rgb orange dt dash(who) title "s", \
     @step3 @who $unit_up index who using @along4 with @stroke lc rgb green dt dash(who) title "t", \
-    @step3 @who $unit_point index who using @on4 with @mark_at pt mark(who) lw 1+who lc rgb blue title "place", \
+    @step3 @who $unit_point index who using @flat4 with @mark_at pt mark(who) lw 1+who lc rgb blue title "place", \
     @step4 $plane index 0 using @point with @area title "plane, surface", \
     @step4 $plane index 0 using @point with @lines lc rgb ink title "plane", \
     @step4 $plane every ::3::3 using @point with @corner lc rgb ink title "origin of the plane", \

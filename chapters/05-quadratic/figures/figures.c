@@ -647,9 +647,7 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
         {"$r$", "ink", .step = 5, .block = "spoke", .part = ANYWHERE},
         {touches ? "$t_0 = t_1$" : "$t_0$", root_color(plot, "t0"), .step = 5, .block = "hit0"},
         {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 5, .block = "hit1"}};
-    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
-        if (labels[i].text[0] != '\0')
-            plot_name(plot, labels[i]);
+    plot_names(plot, labels, sizeof labels / sizeof *labels);
     const Label words[] = {
         {"$L = C − p$ = {l}", "ink", .step = 2},
         {"$s = L·v / |v|$ = {s}", "green", .step = 3},

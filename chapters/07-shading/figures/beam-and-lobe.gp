@@ -8,18 +8,14 @@ description = (arrives ? sprintf("Left: a beam of light is %s wide across. It me
 direction. With shine 80 the lobe is much narrower than with shine 8."
 steps = 3
 
-flat = "(U(1,$1)):(V(1,$2))"
-along = flat.":(size[1]*$4):(size[1]*$5)"
-flat2 = "(U(2,$1)):(V(2,$2))"
-along2 = flat2.":(size[2]*$4):(size[2]*$5)"
 
-plot $ground using @along with @stroke lc rgb ink title "surface", \
-    $normal using @along with @arrow lc rgb green title "normal", \
-    for [_=1:arrives] $middle using @along with @segment dt 3 lc rgb orange title "l", \
-    for [_=1:arrives] $theta using @flat with @lines lc rgb orange title "theta", \
-    for [_=1:arrives] @who $beam_edges index who using @along with @arrow lc rgb orange dt dash(who) title "beam", \
-    for [_=1:arrives] $across using @along with @dimension lc rgb ink title "across", \
-    for [_=1:step >= 2 && arrives] @who $on_surface index who using @along with vectors nohead lw 5 lc rgb orange dt dash(who) title "on the surface", \
+plot $ground using @along1 with @stroke lc rgb ink title "surface", \
+    $normal using @along1 with @arrow lc rgb green title "normal", \
+    for [_=1:arrives] $middle using @along1 with @segment dt 3 lc rgb orange title "l", \
+    for [_=1:arrives] $theta using @flat1 with @lines lc rgb orange title "theta", \
+    for [_=1:arrives] @who $beam_edges index who using @along1 with @arrow lc rgb orange dt dash(who) title "beam", \
+    for [_=1:arrives] $across using @along1 with @dimension lc rgb ink title "across", \
+    for [_=1:step >= 2 && arrives] @who $on_surface index who using @along1 with vectors nohead lw 5 lc rgb orange dt dash(who) title "on the surface", \
     @step3 $ground2 using @along2 with @stroke lc rgb ink title "surface, right", \
     @step3 @who $wide_lobe index who using @flat2 with @thick lc rgb blue dt dash(who) title "wide lobe", \
     @step3 @who $narrow_lobe index who using @flat2 with @thick lc rgb pink dt dash(who) title "narrow lobe", \

@@ -6,18 +6,16 @@ description = "Three spheres, an eye and a light. The eye's ray meets a sphere a
     "The mirrored ray leaves on the other side of n and meets no sphere: the mirror shows the background.")
 steps = 3
 
-flat = "(U(1,$1)):(V(1,$2))"
-along = flat.":(size[1]*$4):(size[1]*$5)"
 spot = "points pt 3 ps 0.7 lw 2"
 
-plot for [i=0:2] "$ball".i using @flat with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
-    for [i=0:2] "$ball".i using @flat with @lines lc rgb ink title "outline", \
-    @who $seen index who using @along with @arrow lc rgb grey dt dash(who) title "seen", \
-    @who $n index who using @along with @arrow lc rgb green dt dash(who) title "n", \
-    @step2 $to_light index wrong using @along with @segment dt 3 lc rgb grey title "to the light", \
-    @step2 @who $lit index who using @along with @arrow lc rgb orange dt dash(who) title "shadow ray", \
-    @step3 @who $mirrored index who using @along with @arrow lc rgb blue dt dash(who) title "mirrored ray", \
-    $point index 0 using @flat with @dot lc rgb ink title "point", \
-    $eye using @flat with @dot lc rgb blue title "eye", \
-    $lamp using @flat with @spot lc rgb orange title "light", \
+plot for [i=0:2] "$ball".i using @flat1 with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
+    for [i=0:2] "$ball".i using @flat1 with @lines lc rgb ink title "outline", \
+    @who $seen index who using @along1 with @arrow lc rgb grey dt dash(who) title "seen", \
+    @who $n index who using @along1 with @arrow lc rgb green dt dash(who) title "n", \
+    @step2 $to_light index wrong using @along1 with @segment dt 3 lc rgb grey title "to the light", \
+    @step2 @who $lit index who using @along1 with @arrow lc rgb orange dt dash(who) title "shadow ray", \
+    @step3 @who $mirrored index who using @along1 with @arrow lc rgb blue dt dash(who) title "mirrored ray", \
+    $point index 0 using @flat1 with @dot lc rgb ink title "point", \
+    $eye using @flat1 with @dot lc rgb blue title "eye", \
+    $lamp using @flat1 with @spot lc rgb orange title "light", \
     @labels

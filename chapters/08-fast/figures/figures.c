@@ -125,9 +125,7 @@ static void names(Plot *plot, const View *view, bool is_nothing)
         {"$r$ = {r}", "ink", .step = 2, .block = "radius", .part = ANYWHERE},
         {is_nothing ? "" : "left = {left}", "orange", .step = 4, .block = "left_mark"},
         {is_nothing ? "" : "right = {right}", "green", .step = 4, .block = "right_mark"}};
-    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
-        if (labels[i].text[0] != '\0')
-            plot_name(plot, labels[i]);
+    plot_names(plot, labels, sizeof labels / sizeof *labels);
     const Label words[] = {
         {is_nothing ? "no rectangle" : "columns {left!} to {right!} of {columns}", "ink",
          .step = 4}};

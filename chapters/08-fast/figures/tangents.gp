@@ -7,21 +7,19 @@ is z = %s ahead of the eye and x = %s to the right. ", r_text, z_text, x_text).(
 left and the right edge of the sphere's rectangle.", columns_text, left_text, right_text))
 steps = 4
 
-flat_point = "(U(1,$1)):(V(1,$2))"
-flat = flat_point.":(size[1]*$4):(size[1]*$5)"
 
-plot $circle using @flat_point with filledcurves closed fc rgb surface fs solid noborder title "disc", \
-    $circle using @flat_point with @lines lc rgb ink title "circle", \
-    $plane using @flat with @stroke lc rgb ink title "image plane", \
-    @step2 $ahead using @flat with @dimension lc rgb grey title "z", \
-    @step2 $aside using @flat with @dimension lc rgb grey title "x", \
-    @step2 $radius using @flat with @thin_arrow lc rgb ink title "r", \
-    for [_=1:step >= 3 && !nothing] @who $left_line index who using @flat with vectors nohead lw 2.2 lc rgb orange dt dash(who) title "left line", \
-    for [_=1:step >= 3 && !nothing] @who $right_line index who using @flat with vectors nohead lw 2.2 lc rgb green dt dash(who) title "right line", \
-    for [_=1:step >= 3 && !nothing] $left_radius index 0 using @flat with @segment dt 2 lc rgb grey title "to the left line", \
-    for [_=1:step >= 3 && !nothing] $right_radius index 0 using @flat with @segment dt 2 lc rgb grey title "to the right line", \
-    for [_=1:step >= 4 && !nothing] @who $left_mark index who using @flat_point with points pt mark(who) ps 0.55 lc rgb orange title "left", \
-    for [_=1:step >= 4 && !nothing] @who $right_mark index who using @flat_point with points pt mark(who) ps 0.55 lc rgb green title "right", \
-    $eye using @flat_point with @dot lc rgb blue title "eye", \
-    $center using @flat_point with @dot lc rgb ink title "C", \
+plot $circle using @flat1 with filledcurves closed fc rgb surface fs solid noborder title "disc", \
+    $circle using @flat1 with @lines lc rgb ink title "circle", \
+    $plane using @along1 with @stroke lc rgb ink title "image plane", \
+    @step2 $ahead using @along1 with @dimension lc rgb grey title "z", \
+    @step2 $aside using @along1 with @dimension lc rgb grey title "x", \
+    @step2 $radius using @along1 with @thin_arrow lc rgb ink title "r", \
+    for [_=1:step >= 3 && !nothing] @who $left_line index who using @along1 with vectors nohead lw 2.2 lc rgb orange dt dash(who) title "left line", \
+    for [_=1:step >= 3 && !nothing] @who $right_line index who using @along1 with vectors nohead lw 2.2 lc rgb green dt dash(who) title "right line", \
+    for [_=1:step >= 3 && !nothing] $left_radius index 0 using @along1 with @segment dt 2 lc rgb grey title "to the left line", \
+    for [_=1:step >= 3 && !nothing] $right_radius index 0 using @along1 with @segment dt 2 lc rgb grey title "to the right line", \
+    for [_=1:step >= 4 && !nothing] @who $left_mark index who using @flat1 with points pt mark(who) ps 0.55 lc rgb orange title "left", \
+    for [_=1:step >= 4 && !nothing] @who $right_mark index who using @flat1 with points pt mark(who) ps 0.55 lc rgb green title "right", \
+    $eye using @flat1 with @dot lc rgb blue title "eye", \
+    $center using @flat1 with @dot lc rgb ink title "C", \
     @labels
