@@ -35,8 +35,8 @@ with_the_numbers_of() {
     return 1
 }
 holds_its_numbers() {
-    random_example "$1" --lessons | while IFS='	' read -r lesson text other; do
-        grep -qF -e "$text" -e "${other:-$text}" "$lesson" || { echo "$lesson does not have: $text"; break; }
+    random_example "$1" --lessons | while IFS='	' read -r lesson texts; do
+        echo "$texts" | tr '\t' '\n' | grep -qFf - "$lesson" || { echo "$lesson does not have: ${texts%%	*}"; break; }
     done >"$scratch/missing"
     cat "$scratch/missing"
     [ ! -s "$scratch/missing" ]

@@ -9,9 +9,16 @@ The results are found in another way than the chapters find them, and in another
 chord. NUMBER 0 is the deck's example.
 """
 import math
+import re
 import sys
+from pathlib import Path
 from random import Random
 from types import SimpleNamespace
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "house/figures"))
+import shown as writing  # it is beside the tests of figures
+
+PLAIN = {raised: chr(plain) for plain, raised in writing.RAISED.items()}
 
 from figure import cross, dot, plus, times, unit
 
@@ -132,13 +139,21 @@ def in_words(x, digits):
     return f"{x + 0.0:.{digits}g}"
 
 
-def holds(stem, before, x, digits=6, after=""):
-    """A number or a vector. A last digit of 5 may be rounded up or down: both texts are given, with a tab between."""
+def in_formula(text):
+    """As LaTeX writes a number: 10{,}000, 1.2 \\cdot 10^{-6}."""
+    text = re.sub(r"(?<=\d),(?=\d)", "{,}", text.replace("−", "-").replace(" · ", r" \cdot "))
+    return re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda power: f"^{{{power[0].translate(PLAIN)}}}", text)
+
+
+def holds(stem, before, x, digits=(4,), after="", formula=False):
+    """A number or a vector, to any of these digits. A last digit of 5 may be rounded up or down: all such texts are
+    given, with tabs between."""
     texts = []
     for a_little in (1 + 1e-13, 1 - 1e-13):
-        words = in_words(a_little * x, digits) if not isinstance(x, (list, tuple)) else \
-            f"({', '.join(in_words(a_little * each, digits) for each in x)})"
-        texts.append(f"{before}{words}{after}")
+        for each in digits:
+            words = writing.shown_vector([a_little * part for part in x], each) if isinstance(x, (list, tuple)) else \
+                writing.shown(a_little * x, each)
+            texts.append(f"{before}{in_formula(words) if formula else words}{after}")
     print(f"chapters/{stem}/README.md", *texts, sep="\t")
 
 
@@ -155,16 +170,17 @@ def print_lessons(e):
     holds("01-corners", "| width $w$ | ", e.w, after=" |")
     holds("01-corners", "| upper left | 0 | 1 | ", along(e, -0.5 * e.w, 0.5 * e.h), after=" |")
     holds("01-corners", "| 30% across, 10% up | 0.3 | 0.1 | ", along(e, -0.2 * e.w, -0.4 * e.h), after=" |")
-    holds("01-corners", "at the distance d = ", e.d, 4, ". It is")
+    print(f"chapters/01-corners/README.md\tat the distance d = {e.d + 0.0:.4g}. It is")
     holds("02-cameras", "| look-at | look-at point ", plus(e.eye, along(e, 0, 0)), after=",")
     holds("02-cameras", "aspect ratio ", e.w / e.h, after=" |")
-    holds("02-cameras", "this camera sees            ", degrees_across(e.d, e.w), after=" degrees across")
-    for text in (rf"\frac{{{e.x}}}{{{e.columns}}}", f"A screen of {e.columns} x {e.rows} pixels",
-                 f"a screen of {e.columns} by {e.rows} pixels. Its origin"):
+    print(f"chapters/02-cameras/README.md\tthis camera sees            {degrees_across(e.d, e.w):.6g} degrees across")
+    for text in (rf"\frac{{{in_formula(writing.shown(e.x))}}}{{{in_formula(writing.shown(e.columns))}}}", f"A screen of {e.columns} x {e.rows} pixels",
+                
+                 f"a screen of {writing.shown(e.columns)} by {writing.shown(e.rows)} pixels. Its origin"):
         print(f"chapters/03-screen/README.md\t{text}")
-    holds("04-pixel-ray", r"\frac{", e.x + 0.5, 9, "}{")
-    holds("04-pixel-ray", "  &= ", along(e, (2 * e.x + 1 - e.columns) * e.w / (2 * e.columns),
-                                        (e.rows - 2 * e.y - 1) * e.h / (2 * e.rows)), 9)
+    holds("04-pixel-ray", r"\frac{", e.x + 0.5, after="}{", formula=True)
+    holds("04-pixel-ray", " ", along(e, (2 * e.x + 1 - e.columns) * e.w / (2 * e.columns),
+                                     (e.rows - 2 * e.y - 1) * e.h / (2 * e.rows)), formula=True)
     print_rays(e)
 
 
@@ -175,11 +191,12 @@ def print_rays(e):
     half = math.sqrt((e.radius - off) * (e.radius + off))
     first, second = (middle - half) / length, (middle + half) / length
     holds(stem, "$p$ = ", e.p)
-    holds(stem, "$a = ", length * length, after="$")
-    holds(stem, "$t$ is ", first, after=" or")
-    holds(stem, ", r is ", e.radius, 4)
-    holds(stem, "    t                         ", second, after=" ")
-    holds(stem, "  the hit, smallest t > 0     ", first)
+    some = range(4, 13)  # more, if the discriminant needs them, or the roots are near to each other
+    holds(stem, "$a = ", length * length, some, "$", formula=True)
+    holds(stem, "$t$ is ", first, some, " or")
+    holds(stem, ", r is ", e.radius)
+    for words, t in (("    t                         ", second), ("  the hit, smallest t > 0     ", first)):
+        print(f"chapters/{stem}/README.md", *(f"{words}{a_little * t:.6g}" for a_little in (1 + 1e-13, 1 - 1e-13)), sep="\t")
     # As if every direction had length 1.
     b, c = -2 * dot(e.v, to_center), dot(to_center, to_center) - e.radius * e.radius
     if abs(length * length - 1) < 1e-9:
@@ -189,7 +206,7 @@ def print_rays(e):
     else:
         t = (-b - math.sqrt(b * b - 4 * c)) / 2
         inside = math.hypot(*plus(times(t, e.v), to_center, -1)) < e.radius
-        holds(stem, "$t = ", t, 4, "$. That point is")
+        holds(stem, "$t = ", t, after="$. That point is", formula=True)
         print(f"chapters/{stem}/README.md\tfrom the centre: {'inside' if inside else 'outside'} the sphere.")
 
 
