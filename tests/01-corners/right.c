@@ -37,9 +37,6 @@ RIGHT(across_30_up_10, "from the lower left corner, in percent")
     return lower_left + 30 * c.width / 100 * c.right + 10 * c.height / 100 * c.up;
 }
 
-RIGHT_LINE(across_30_up_10, "with the shares worked out by hand",
-           return c.distance * c.forward - 0.2 * c.width * c.right - 0.4 * c.height * c.up)
-
 RIGHT(image_plane_vector, "between the four corners, with a helper")
 {
     vec3 left = upper_left(c), right = upper_right(c), down = -c.height * c.up;
@@ -109,13 +106,6 @@ RIGHT(across_30_up_10, "in whole percent, divided last")
 {
     int across = 30 - 50, up = 10 - 50;
     return c.distance * c.forward + across * c.width * c.right / 100 + up * c.height * c.up / 100;
-}
-
-// From -1 to 1, and then halves of the plane.
-RIGHT(image_plane_vector, "by way of -1 to 1")
-{
-    double x = 2 * s - 1, y = 2 * t - 1;
-    return c.distance * c.forward + x * (c.width / 2) * c.right + y * (c.height / 2) * c.up;
 }
 
 RIGHT(image_plane_vector, "with fma, axis by axis")

@@ -27,18 +27,6 @@ RIGHT_LINE(normalized_to_screen, "up from the bottom edge",
            return (ScreenPoint){.x = screen.width * normalized.s,
                                 .y = screen.height - normalized.t * screen.height})
 
-RIGHT(normalized_to_screen, "minus the height, times t - 1")
-{
-    double y = -screen.height * (normalized.t - 1);
-    return (ScreenPoint){.x = normalized.s * screen.width, .y = y};
-}
-
-RIGHT(pixel_center, "half way between the corners")
-{
-    int left = pixel.column, right = left + 1, top = pixel.row, bottom = top + 1;
-    return (ScreenPoint){(left + right) / 2.0, (top + bottom) / 2.0};
-}
-
 RIGHT_LINE(screen_to_normalized, "in long double",
            return (Normalized){(double)((long double)point.x / screen.width),
                                (double)(1 - (long double)point.y / screen.height)})

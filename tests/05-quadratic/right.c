@@ -107,12 +107,6 @@ static double first_ahead(const double *t, int count)
     return *t > 0 ? *t : first_ahead(t + 1, count - 1);
 }
 
-RIGHT(to_object_coordinates, "the origin of a copy moves")
-{
-    ray.origin -= sphere.center;
-    return ray;
-}
-
 // |p + v|^2 = |p|^2 + 2 p.v + |v|^2.
 RIGHT(object_quadratic, "b from |p + v|")
 {

@@ -18,14 +18,6 @@ RIGHT(surface_normal, "long double")
     return vec3_of((double)(x / length), (double)(y / length), (double)(z / length));
 }
 
-RIGHT(ray_to_light, "changed for a point light")
-{
-    Ray ray = {from, light.position};
-    if (light.kind == LIGHT_POINT)
-        ray.direction -= from;
-    return ray;
-}
-
 RIGHT(mirror_direction, "the parts along and across the normal")
 {
     vec3 along = vec3_dot(direction, normal) * normal, across = direction - along;
@@ -114,28 +106,6 @@ RIGHT(diffuse_term, "the normal normalised as well")
 
 // ---- highlights ---------------------------------------------------------------------------------
 
-static Color phong_by_the_formula(double ks, double shine, Color light, vec3 n, vec3 to_light,
-                                  vec3 to_eye)
-{
-    vec3 l = vec3_unit(to_light), e = vec3_unit(to_eye);
-    vec3 r = 2 * vec3_dot(n, l) * n - l;
-    if (vec3_dot(n, l) <= 0)
-        return black;
-    return light * (ks * pow(fmax(0, vec3_dot(r, e)), shine));
-}
-
-static Color halfway_by_the_mean(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
-{
-    vec3 halfway = (vec3_unit(l) + vec3_unit(e)) / 2;
-    double cosine = vec3_dot(n, halfway) / vec3_length(halfway);
-    if (vec3_dot(n, l) <= 0)
-        return black;
-    return light * (ks * pow(fmax(0, cosine), shine));
-}
-
-RIGHT_LINE(phong_term, "2 (n.l) n - l",
-           return phong_by_the_formula(ks, shine, light, normal, to_light, to_eye))
-
 RIGHT(phong_term, "normalised first, then mirrored")
 {
     vec3 mirrored = mirror_direction(-vec3_unit(to_light), normal);
@@ -175,12 +145,13 @@ RIGHT(phong_term, "of three dot products, with logarithms")
 }
 
 // An eye behind the surface does not see it.
-RIGHT_LINE(phong_term, "nothing for an eye behind the surface",
-           return vec3_dot(normal, to_eye) <= 0
-                      ? black
-                      : phong_by_the_formula(ks, shine, light, normal, to_light, to_eye))
-RIGHT_LINE(halfway_term, "the mean, divided by its length",
-           return halfway_by_the_mean(ks, shine, light, normal, to_light, to_eye))
+RIGHT(phong_term, "nothing for an eye behind the surface")
+{
+    vec3 l = vec3_unit(to_light), r = 2 * vec3_dot(normal, l) * normal - l;
+    if (vec3_dot(normal, l) <= 0 || vec3_dot(normal, to_eye) <= 0)
+        return black;
+    return light * (ks * pow(fmax(0, vec3_dot(r, vec3_unit(to_eye))), shine));
+}
 
 // n.(l + e) / |l + e|, of three dot products of unit vectors.
 RIGHT(halfway_term, "of three dot products")
@@ -212,21 +183,23 @@ RIGHT(halfway_term, "both as long as each other first")
     return seen ? ks * exp(shine * log(cosine)) * light : black;
 }
 
-RIGHT_LINE(halfway_term, "nothing for an eye behind the surface",
-           return vec3_dot(normal, to_eye) <= 0
-                      ? black
-                      : halfway_by_the_mean(ks, shine, light, normal, to_light, to_eye))
+RIGHT(halfway_term, "nothing for an eye behind the surface")
+{
+    vec3 mean = (vec3_unit(to_light) + vec3_unit(to_eye)) / 2;
+    if (vec3_dot(normal, to_light) <= 0 || vec3_dot(normal, to_eye) <= 0)
+        return black;
+    double cosine = vec3_dot(normal, mean) / vec3_length(mean);
+    return light * (ks * pow(fmax(0, cosine), shine));
+}
 
 // ---- for a display ------------------------------------------------------------------------------
 
-RIGHT(clamp_color, "conditions")
+RIGHT(gamma_encode, "clamped first")
 {
-    for (int i = 0; i < 3; i++) {
-        if (color[i] < 0)
-            color[i] = 0;
-        else if (color[i] > 1)
-            color[i] = 1;
-    }
+    const double power = 1 / gamma;
+    color = clamp_color(color);
+    for (int i = 2; i >= 0; i--)
+        color[i] = pow(color[i], power);
     return color;
 }
 
@@ -254,17 +227,7 @@ RIGHT(gamma_encode, "sqrt and cbrt, else powl")
     return color;
 }
 
-RIGHT(gamma_encode, "clamped first")
-{
-    const double power = 1 / gamma;
-    color = clamp_color(color);
-    for (int i = 2; i >= 0; i--)
-        color[i] = pow(color[i], power);
-    return color;
-}
-
-// ---- offset_from_surface
-// --------------------------------------------------------------------------------
+// ---- steps off a surface ------------------------------------------------------------------------
 
 static double size_of(Sphere s)
 {
