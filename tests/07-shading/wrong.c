@@ -1859,6 +1859,30 @@ SHARE_ROW(0.001)
 SHARE_ROW(1e-4)
 SHARE_ROW(1e-6)
 
+// ---- wrong answers that are not known mistakes, and the verdict on each -------------------------
+
+UNNAMED(clamp_color, NOBODY, "above 1 only if all three are")
+{
+    if (color[0] > 1 && color[1] > 1 && color[2] > 1)
+        return grey(1);
+    return not_below_0(color);
+}
+
+UNNAMED(surface_normal, NOBODY, "turned by the sign of n.point")
+{
+    vec3 normal = surface_normal(sphere, point);
+    return vec3_dot(normal, point) < 0 ? -normal : normal;
+}
+
+UNNAMED_LINE(shade, NOBODY, "hit point without the origin",
+             return shade(scene, (Ray){vec3_of(0, 0, 0), ray.direction}, hit))
+UNNAMED_LINE(shade, NOBODY " your function returns the same", "black", return grey(0))
+
+UNNAMED(diffuse_term, NOBODY, "kd squared, and away from the light")
+{
+    return diffuse_term(surface, kd * kd, light, -normal, to_light);
+}
+
 static const int styles = 2;
 
 OF_STEM(styles)
