@@ -83,6 +83,17 @@ void transport_call(int exercise, void *result, void *const *arguments);
 void answer_here_by(AnyFunction *answer);
 void answer_here(int exercise, AnyFunction *answer, Numbers *in, Numbers *out);
 
+// Of an exercise that is called by its contract name, as tests do (reference/proxies.c): from now
+// on this function answers; NULL: the transport. To begin with, the reference.
+void answer_by(int exercise, AnyFunction *answer);
+
+// Answers that are linked into this program, in the list's order; NULL: it has none. The linker has
+// renamed them: an answer's upper_left is answer_upper_left here, so that upper_left is the proxy.
+// Those of the stem that is chosen are called in this process, and the reference answers for all
+// other stems, so that one mistake costs once. An answer calls the exercises of its own stem
+// directly, and those of other stems through the proxies.
+extern AnyFunction *const direct_answers[];
+
 // ---- the memory that nobody has set ------------------------------------------------------------
 
 // In the answering process it is filled with bytes that cannot pass for a right value: its stack,

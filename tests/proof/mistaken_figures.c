@@ -4,7 +4,7 @@
 //   mistaken_figures list                  of each mistake: stem, exercise, id, the judge's words
 //   mistaken_figures NUMBER ARGUMENT...    the program, by that one of the list; -1: by none
 #include "tests/judge/known.h"
-#include "tests/judge/reference/proxies.h"
+#include "tests/judge/message.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -11,8 +11,8 @@
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"
 #include "tests/judge/known.h"
+#include "tests/judge/message.h"
 #include "tests/judge/process.h"
-#include "tests/judge/reference/proxies.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/test.h"
 

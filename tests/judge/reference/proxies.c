@@ -1,6 +1,4 @@
 // proxies.c - each exercise under its contract name, for the tests.
-#include "tests/judge/reference/proxies.h"
-
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
