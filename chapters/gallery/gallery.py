@@ -145,7 +145,7 @@ class Gallery:
         file = self.built / f"figures/{name}/{name}{variant}.svg"
         return f'<source media="{media}" srcset="../figures/{name}/{file.name}" {size(file)}>\n' if file.exists() else ""
 
-    def show_figure(self, name):
+    def show_figure(self, name, scene=""):
         home = self.built / "figures" / name
         svg, described = home / f"{name}.svg", read_words(home / f"{name}.txt")
         if ("figure", name) in self.shown or not svg.exists() or not described:
@@ -153,12 +153,13 @@ class Gallery:
         self.shown.add(("figure", name))
         title, words = described
         at = f"../figures/{name}/{name}"
+        own = f'<p class="words">It has a scene of its own, whatever the example is: {escaped(scene)}.</p>\n' if scene else ""
         return f"""<figure>
 <a href="{at}.svg"><picture>
 {self.source(name, "-4x3-dark", f"{NARROW} and {DARK}")}{self.source(name, "-4x3", NARROW)}{self.source(name, "-dark", DARK)}\
 <img src="{at}.svg" alt="{escaped(words)}" {size(svg)} loading="lazy"></picture></a>
 <figcaption><h3>{escaped(title)}</h3>
-<dl>{self.row(name, "", "light", title)}{self.row(name, "-dark", "dark", title)}
+{own}<dl>{self.row(name, "", "light", title)}{self.row(name, "-dark", "dark", title)}
 <dt>also</dt><dd><ul>{link(f"{at}.txt", "in words", title, "words")}
 {link(f"{at}.gp", "script", title, "gnuplot")}</ul></dd></dl>
 {self.more_rows(name, title)}</figcaption></figure>
@@ -207,15 +208,17 @@ poster="../animations/{name}/frames{suffix}/{frames[-1].name}" aria-label="{esca
 
     def show_list(self, contents):
         """Entries 'section HEADING', 'figure NAME', 'animation NAME', 'picture NAME' and 'copy FILE'; indented lines
-        below an entry are its title and its words."""
+        below a picture are its title and its words, below a figure what its own scene is."""
         for entry in re.split(r"\n(?! |$)", contents):
             first, *rest = entry.split("\n")
             kind, _, name = first.partition(" ")
             title, *words = [line.strip() for line in rest if line.strip()] or [""]
             if kind == "section":
                 self.sections.append([name.strip(), ""])
-            elif kind in ("figure", "animation"):
-                self.sections[-1][1] += getattr(self, f"show_{kind}")(name.strip())
+            elif kind == "animation":
+                self.sections[-1][1] += self.show_animation(name.strip())
+            elif kind == "figure":
+                self.sections[-1][1] += self.show_figure(name.strip(), title)
             elif kind in ("picture", "copy"):
                 self.sections[-1][1] += getattr(self, f"show_{kind}")(name.strip(), title, " ".join(words))
 
