@@ -2,13 +2,14 @@
 
 # ---- slides --------------------------------------------------------------------------------------
 
-# One source becomes the lecture's PDFs: NAME.pdf, NAME-dark.pdf, NAME-handout.pdf, NAME-questions.pdf (a
-# handout without answers), NAME-notes.pdf; with SHAPE=4:3 NAME-4x3.pdf and so on. SLIDES=talk.tex: slides of
-# your own. The figures are those that the source and its parts name.
-SLIDES ?= chapters/slides.tex
+# One text becomes the lecture's PDFs: NAME.pdf, NAME-dark.pdf, and of NAME.pdf are made NAME-handout.pdf,
+# NAME-questions.pdf (without answers, which are at its end), NAME-notes.pdf; with SHAPE=4:3 NAME-4x3.pdf and so on.
+# SLIDES=talk.txt: slides of your own (chapters/slides/lecture.py).
+SLIDES ?= chapters/slides.txt
 LECTURE := $(BUILT)/slides
 SLIDES_NAME := $(notdir $(basename $(SLIDES)))
-ifneq ($(filter slides,$(MAKECMDGOALS)),)
+MAKE_SLIDES := $(PYTHON) chapters/slides/make_slides.py
+ifneq ($(filter slides book check-book,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(SLIDES)),)
 $(error SLIDES=$(SLIDES): no such file)
 endif
@@ -16,44 +17,58 @@ SLIDE_SHAPES := $(or $(subst $(comma), ,$(SHAPE)),16:9)
 ifneq ($(filter-out 16:9 4:3,$(SLIDE_SHAPES)),)
 $(error SHAPE=$(SHAPE): expected 16:9, 4:3 or both)
 endif
-SLIDE_PARTS := $(foreach part,$(shell sed -n 's/^[^%]*\\input{\([^}]*\)}.*/\1/p' $(SLIDES)), \
-	$(firstword $(wildcard $(dir $(SLIDES))$(part).tex chapters/slides/$(part).tex)))
-ON_SLIDES := $(filter $(FIGURE_NAMES) $(OWN_FIGURES),$(shell grep -ho '^[^%]*{[a-z0-9-]*}' $(SLIDES) $(SLIDE_PARTS) | tr '{}' '\n\n' | sort -u))
+# Beside words a figure is narrow, as on all slides of 4:3.
+ON_SLIDES := $(shell $(MAKE_SLIDES) --figures $(SLIDES) || echo wrong)
+ifneq ($(filter wrong,$(ON_SLIDES)),)
+$(error SLIDES=$(SLIDES) could not be read)
+endif
+ifneq ($(filter-out $(FIGURE_NAMES:%=%:beside) $(FIGURE_NAMES:%=%:below) $(OWN_FIGURES:%=%:beside) $(OWN_FIGURES:%=%:below),$(ON_SLIDES)),)
+$(error SLIDES=$(SLIDES): no figure $(filter-out $(FIGURE_NAMES) $(OWN_FIGURES),$(patsubst %:below,%,$(ON_SLIDES:%:beside=%))), expected one of $(OWN_FIGURES) $(FIGURE_NAMES))
+endif
+figures_there = $(patsubst %:$(1),%,$(filter %:$(1),$(ON_SLIDES)))
+NARROW_FIGURES := $(call figures_there,beside) $(if $(filter 4:3,$(SLIDE_SHAPES)),$(call figures_there,below))
+WIDE_FIGURES := $(if $(filter 16:9,$(SLIDE_SHAPES)),$(call figures_there,below))
 endif
 
 # The numbers, by the answers.
-$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
+$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lessons/numbers.o \
+		$(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ -lm
-$(LECTURE)/numbers.tex: $(LECTURE)/numbers
+$(LECTURE)/numbers.json: $(LECTURE)/numbers
 	$(Q)$< > $@
 
 # The tests of slides need what is compared.
-check-all check-long: $(LECTURE)/numbers.tex
+check-all check-long: $(LECTURE)/numbers.json
 
 slides-ready:
-	@chapters/make_slides --ready
-slides-figures: $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) | slides-ready
+	@$(MAKE_SLIDES) --ready
+slides-figures: $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) | slides-ready
 	@$(remove_older)
-	@FORMAT=tex THEME= SHAPE='$(SHAPE)' STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(ON_SLIDES)
+	@export FORMAT=tex THEME= STEPS=1; SHAPE=4:3 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(NARROW_FIGURES) && \
+		SHAPE=16:9 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(WIDE_FIGURES)
 
-# name_of_slides SHAPE,SUFFIX; slides_rule SHAPE,SUFFIX,THEME,VERSION
+# name_of_slides SHAPE,SUFFIX; slides_rule SHAPE,SUFFIX,THEME; paper_rule SHAPE,VERSION
 name_of_slides = $(LECTURE)/$(SLIDES_NAME)$(if $(filter 4:3,$(1)),-4x3)$(2).pdf
+SLIDE_SOURCES := $(SLIDES) $(wildcard chapters/slides/*.py chapters/slides/*.sty) $(LECTURE)/numbers.json
 define slides_rule
 SLIDE_PDFS += $(call name_of_slides,$(1),$(2))
-$(call name_of_slides,$(1),$(2)): $(SLIDES) $(SLIDE_PARTS) chapters/slides/lecture.sty chapters/make_slides \
-		$(LECTURE)/numbers.tex $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) | slides-figures
+$(call name_of_slides,$(1),$(2)): $(SLIDE_SOURCES) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) | slides-figures
 	$$(call say,latex,$$@)
-	$$(Q)chapters/make_slides $(SLIDES) $$@ $(DRAWN_FIGURES) $(1) $(3) $(4)
+	$$(Q)$(MAKE_SLIDES) $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) $(1) $(3) $$@
+endef
+define paper_rule
+SLIDE_PDFS += $(call name_of_slides,$(1),-$(2))
+$(call name_of_slides,$(1),-$(2)): $(call name_of_slides,$(1))
+	$$(call say,latex,$$@)
+	$$(Q)$(MAKE_SLIDES) $(SLIDES) $(LECTURE)/numbers.json $$< $(1) $(2) $$@
 endef
 $(foreach shape,$(SLIDE_SHAPES), \
-	$(eval $(call slides_rule,$(shape),,light,slides)) \
-	$(eval $(call slides_rule,$(shape),-dark,dark,slides)) \
-	$(eval $(call slides_rule,$(shape),-handout,light,handout)) \
-	$(eval $(call slides_rule,$(shape),-questions,light,questions)) \
-	$(eval $(call slides_rule,$(shape),-notes,light,notes)))
-slides: $(SLIDE_PDFS) ## the lecture: slides, handouts, notes (SHAPE=4:3, SLIDES=talk.tex; needs LaTeX: make setup FOR=lecturer)
+	$(eval $(call slides_rule,$(shape),,light)) \
+	$(eval $(call slides_rule,$(shape),-dark,dark)) \
+	$(foreach version,handout questions notes,$(eval $(call paper_rule,$(shape),$(version)))))
+slides: $(SLIDE_PDFS) ## the lecture: slides, handouts, notes (SHAPE=4:3, SLIDES=talk.txt; needs LaTeX: make setup FOR=lecturer)
 	@echo 'The lecture, from $(SLIDES):'; for pdf in $^; do echo "  $$pdf"; done
 .PHONY: slides slides-ready slides-figures
 

@@ -55,8 +55,8 @@ def mathematics(text):
 
 
 def label(text):
-    """Text, and mathematics between two $. Of two spaces LaTeX would leave one."""
-    parts = text.split("$")
+    """Text, and mathematics between two $. Of two spaces LaTeX would leave one. A number's sign is a minus."""
+    parts = re.sub(r"(?<![\w.)])-(?=[\d.])", "−", text).split("$")
     parts[::2] = [MARKS.sub(mark, part).replace("  ", "~ ") for part in parts[::2]]
     parts[1::2] = [mathematics(part) for part in parts[1::2]]
     return "".join(parts)

@@ -88,12 +88,13 @@ mkdir -p "$scratch/new/chapters"
 says_on_slides() {
     random_example "$1" >"$scratch/new/chapters/example.h" && random_example "$1" --slides >"$scratch/wanted" &&
         "${CC:-cc}" -std=c11 -D_DEFAULT_SOURCE -Wno-psabi "-I$scratch/new" -I. -o "$scratch/numbers" chapters/slides/numbers.c \
-            chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm && "$scratch/numbers" >"$scratch/numbers.tex" || return 1
+            chapters/lessons/numbers.c chapters/lessons/print_numbers.c chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm &&
+        "$scratch/numbers" >"$scratch/numbers.json" || return 1
     while IFS= read -r line; do
-        grep -qxF -e "$line" "$scratch/numbers.tex" || { echo "example $1: no $line"; return 1; }
+        grep -qF -e "$line" "$scratch/numbers.json" || { echo "example $1: no $line"; return 1; }
     done <"$scratch/wanted"
-    point=$(sed -n 's/.*exPointNormalized//p' "$scratch/numbers.tex")
-    pixel=$(sed -n 's/.*exPixelNormalized//p' "$scratch/numbers.tex")
+    point=$(grep -o '"point_normalized": "[^"]*"' "$scratch/numbers.json" | cut -d '(' -f 2)
+    pixel=$(grep -o '"pixel_normalized": "[^"]*"' "$scratch/numbers.json" | cut -d '(' -f 2)
     echo "$point $pixel"
     [ "${point%,*}" != "${pixel%,*}" ] && [ "${point#*,}" != "${pixel#*,}" ]
 }

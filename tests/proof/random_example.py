@@ -3,7 +3,7 @@
     random_example.py NUMBER             prints it as chapters/example.h
     random_example.py NUMBER --lessons   what lessons must hold then: FILE, and TEXTS after tabs, any of them
     random_example.py NUMBER --figures   PROGRAM FIGURE OPTIONS: the figure must be the one without options
-    random_example.py NUMBER --slides    commands of LaTeX that the slides must have then
+    random_example.py NUMBER --slides    numbers that the slides must have then, as JSON writes them
 
 The results are found in another way than the chapters find them, and in another language: by the geometry of the
 chord. NUMBER 0 is the deck's example.
@@ -212,13 +212,18 @@ def print_rays(e):
 
 # ---- what the slides must say -----------------------------------------------------------------------
 
+def shown(x):
+    """As common/shown.h: all digits, if there are at most 6, and 4 otherwise."""
+    return next((text for text in (f"{x:.6g}",) if abs(float(text) - x) <= 1e-12 * abs(x)), f"{x:.4g}")
+
+
 def print_slides(e):
     a = dot(e.v, e.v)
     without = "Here $d$ is 1, so they stay." if e.d == 1 else \
-        f"With $d = 1$ and the old $w$ and $h$ this camera would see {in_words(degrees_across(1, e.w), 4)} degrees " \
-        f"across, not {in_words(degrees_across(e.d, e.w), 4)}."
-    arrow = "as this arrow is" if abs(a - 1) < 1e-12 else f"and this arrow has $a = {in_words(a, 4)}$"
-    print(rf"\newcommand\exWithoutDividing{{{without}}}" "\n" rf"\newcommand\exArrow{{{arrow}}}")
+        f"With $d = 1$ and the old $w$ and $h$ this camera would see {shown(degrees_across(1, e.w))} degrees " \
+        f"across, not {shown(degrees_across(e.d, e.w))}."
+    arrow = "as this arrow is" if abs(a - 1) < 1e-12 else f"and this arrow has $a = {shown(a)}$"
+    print(f'"without_dividing": "{without}"\n"arrow": "{arrow}"')
 
 
 PRINT = {(): print_file, ("--lessons",): print_lessons, ("--figures",): print_figures, ("--slides",): print_slides}

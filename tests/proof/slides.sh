@@ -16,9 +16,16 @@ said() {
 fails() {
     ! said "$@"
 }
-check 'without LaTeX it fails' fails without pdflatex chapters/make_slides --ready
+make_slides() {
+    python3 chapters/slides/make_slides.py "$@"
+}
+without_latex() {
+    (PATH=$scratch/no-latex && make_slides --ready)
+}
+mkdir "$scratch/no-latex" && ln -s "$(python3 -c 'import sys; print(sys.executable)')" "$scratch/no-latex/python3"
+check 'without LaTeX it fails' fails without_latex
 check 'and says what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lecturer' installs it."
-if ! chapters/make_slides --ready >/dev/null 2>&1; then
+if ! make_slides --ready >/dev/null 2>&1; then
     skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
 command -v pdfinfo >/dev/null || skip slides "the pages of slides, which need poppler-utils (make setup FOR=contributor)"
@@ -27,21 +34,20 @@ drawn=$scratch/figures
 check 'every figure has a script' scripts_into "$drawn"
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" python3 chapters/gallery/draw_figures.py "$drawn" $names
+    env FORMAT=tex STEPS=1 "THEME=${CI:+light}" "$@" python3 chapters/gallery/draw_figures.py "$drawn" $names
 }
-# In CI light slides of 16:9 and the questions must do.
-shapes='16:9 4:3'
-[ -z "${CI:-}" ] || shapes=16:9
-check 'every figure is drawn for LaTeX' draw FORMAT=tex "SHAPE=$(echo "$shapes" | tr ' ' ,)" STEPS=1 "THEME=${CI:+light}"
+check 'every figure is drawn for LaTeX' draw SHAPE=16:9,4:3
 
 # ---- the lecture -------------------------------------------------------------------------------
 lecture=$scratch/lecture
 mkdir "$lecture"
-cp "$PROGRAMS/slides/numbers.tex" "$lecture"
-# lecture_as NAME SHAPE THEME VERSION: $lecture/NAME.pdf, and its text in NAME.xml.
+cp "$PROGRAMS/slides/numbers.json" "$lecture"
+# lecture_as NAME SHAPE THEME: $lecture/NAME.pdf, and its text in NAME.xml; paper NAME SHAPE VERSION: NAME-VERSION.pdf
 lecture_as() {
-    chapters/make_slides chapters/slides.tex "$lecture/$1.pdf" "$drawn" "$2" "$3" "$4" &&
-        text_of "$1"
+    make_slides chapters/slides.txt "$lecture/numbers.json" "$drawn" "$2" "$3" "$lecture/$1.pdf" && text_of "$1"
+}
+paper() {
+    make_slides chapters/slides.txt "$lecture/numbers.json" "$lecture/$1.pdf" "$2" "$3" "$lecture/$1-$3.pdf" && text_of "$1-$3"
 }
 text_of() {
     pdftohtml -xml -i -zoom 10 -stdout "$lecture/$1.pdf" >"$lecture/$1.xml"
@@ -71,32 +77,23 @@ Intersecting a ray and a sphere
 Still something missing . . .
 DECK
 no_complaints() {
-    grep -q 'Output written' "$lecture/.work/$1/$1.log" && ! grep -E 'Overfull|Missing character|LaTeX Warning: (Unused|File)|undefined' "$lecture/.work/$1/$1.log"
+    log=$lecture/.work/$1/$1.log
+    grep -q 'Output written' "$log" && ! grep -E 'Overfull|Missing character|LaTeX Warning: (Unused|File)|undefined' "$log"
 }
-# shows_all_steps NAME SUFFIX: each step of each figure of the lecture is on a page.
-shows_all_steps() {
-    grep -q "/corner-vectors-step1$2\.tex" "$lecture/.work/$1/$1.log" || return 1
-    status=0
-    for name in $names; do
-        grep -q "/$name-step1$2\.tex" "$lecture/.work/$1/$1.log" || continue
-        for step in "$drawn/$name/$name"-step[0-9]"$2".tex; do
-            grep -qF "/${step##*/}" "$lecture/.work/$1/$1.log" || { echo "$step"; status=1; }
-        done
-    done
-    return $status
+pages() {
+    pdfinfo "$lecture/$1.pdf" | sed -n 's/^Pages: *//p'
 }
 # Each name is a function of the chapter whose number is before it.
 are_exercises() {
     python3 tests/proof/slides/pages.py exercises <"$lecture/$1.xml" >"$scratch/exercises" || return 1
-    ! grep 'none' "$scratch/exercises" || return 1
     status=0
-    while IFS=' ,:' read -r word chapter functions; do
-        [ "$word" = Exercise ] || continue
-        for name in $(echo "$functions" | tr -d ','); do
+    grep -v ^Exercises "$scratch/exercises" >"$scratch/of-chapters"
+    while IFS=' ,:' read -r _ chapter functions; do
+        for name in $(echo "${functions%% ·*}" | tr -d ','); do
             grep -q "EXERCISE(\"$chapter-[^\"]*\",[^,]*, $name," tests/exercises.def || { echo "$chapter $name"; status=1; }
         done
-    done <"$scratch/exercises"
-    return $status
+    done <"$scratch/of-chapters"
+    [ -s "$scratch/exercises" ] && return $status
 }
 is_of_size() {
     pdfinfo "$lecture/$1.pdf" | grep -F "$2"
@@ -105,23 +102,46 @@ is_of_size() {
 has_ground() {
     pdftoppm -r 10 -x 2 -y 2 -W 10 -H 3 -f 2 -l 2 "$lecture/$1.pdf" | tail -c 3 | od -An -tu1 | grep -qx " *$2 *$3 *$4"
 }
-for shape in $shapes; do
+slides=$(grep -c '^= ' chapters/slides.txt)
+at_most_100() {
+    pages "$1"
+    [ "$(pages "$1")" -le 100 ]
+}
+are_numbered() {
+    python3 tests/proof/slides/pages.py places <"$lecture/$1.xml" | uniq >"$scratch/places"
+    number=0
+    while [ $((number += 1)) -le "$slides" ]; do echo "$number of $slides"; done | diff - "$scratch/places"
+}
+for shape in 16:9 4:3; do
     case $shape in
     16:9) at=wide paper='453.543 x 255.118 pts' ;;
     *) at=narrow paper='340.157 x 255.118 pts' ;;
     esac
-    check "the slides are made, $shape" lecture_as $at "$shape" light slides
+    check "the slides are made, $shape" lecture_as $at "$shape" light
     check "their titles are the deck's, in its order, $shape" tells titles $at "$scratch/deck"
-    check "each page names an exercise that exists, $shape" are_exercises $at
+    check "they have at most 100 pages, $shape" at_most_100 $at
+    check "each page says which slide it is, of how many, $shape" are_numbered $at
     check "nothing is too wide, too high or missing, $shape" no_complaints $at
     check "the paper has that shape, $shape" is_of_size $at "$paper"
 done
-check 'each figure grows, step by step' shows_all_steps wide ''
+check 'each exercise that a page names is there' are_exercises wide
+check 'no text is too small' tells small wide "$scratch/nothing"
+check 'the PDF has a title' is_of_size wide 'Ray Tracing, Part I'
+# What a page shows first of a slide and what it shows later.
 comes_before() {
     pdftotext "$lecture/wide.pdf" - | grep -oF -e "$1" -e "$2" >"$scratch/order"
     [ "$(head -n 1 "$scratch/order")" = "$1" ] && grep -qxF -- "$2" "$scratch/order"
 }
 check "the sphere's figure shows its hits after the question" comes_before 'Equation to solve?' 'is the hit'
+# The question and its figure are on one page.
+are_together() {
+    for page in $(seq "$(pages wide)"); do
+        pdftotext -f "$page" -l "$page" "$lecture/wide.pdf" - >"$scratch/page"
+        ! { grep -qF -- "$1" "$scratch/page" && grep -qF -- "$2" "$scratch/page"; } || return 0
+    done
+    return 1
+}
+check 'a question and its figure are on one page' are_together 'remember?' 'eye'
 check 'they are light' has_ground wide 255 255 255
 contains() {
     pdftotext "$lecture/$1.pdf" - | tr '\n' ' ' | grep -qF -- "$2"
@@ -129,92 +149,62 @@ contains() {
 lacks() {
     [ -s "$lecture/$1.pdf" ] && ! contains "$@"
 }
-check 'a handout of questions alone is made' lecture_as questions 16:9 light questions
-check 'on sheets of A4' is_of_size questions A4
-answers='a depth buffer
-its direction stays
-30% across, 10% up =
-It has no distance
-each gives
-not sizes but places
-Solve for
-Much simpler in object coordinates
-world:
-is the hit
-which way the surface faces'
-questions='were all doubled?
-upper left corner.
-normalized screen coordinates?
-Equation to solve?'
-# each CONTAINS-OR-LACKS NAME LINES
-each() {
-    echo "$3" >"$scratch/lines"
-    while IFS= read -r line; do
-        "$1" "$2" "$line" || { echo "$line"; return 1; }
-    done <"$scratch/lines"
+check 'a handout with answers is made' paper wide 16:9 handout
+check 'on sheets of A4' is_of_size wide-handout A4
+check 'two slides on each' test "$(pages wide-handout)" -eq $(((slides + 1) / 2))
+check 'it has the answers' contains wide-handout 'a depth buffer'
+check 'a handout of questions is made' paper wide 16:9 questions
+before_answers() {
+    pdftotext "$lecture/wide-questions.pdf" - | tr '\n' ' ' | sed 's/Answers.*//' >"$scratch/asked"
+    grep -qF -- "$1" "$scratch/asked"
 }
-check 'it has the questions' each contains questions "$questions"
-check 'and no answer' each lacks questions "$answers"
-frames_of() {
-    grep inserttotalframenumber "$lecture/.work/$1/$1.nav"
+after_questions() {
+    ! before_answers "$1" && contains wide-questions "$1"
 }
-are_as_many() {
-    frames_of wide && [ "$(frames_of questions)" = "$(frames_of wide)" ]
-}
-check 'its slides have the numbers of the projected ones' are_as_many
+check 'it has the questions' before_answers 'Equation to solve?'
+for answer in 'depth buffer' 'its direction stays' 'the handedness of the world' 'not sizes but places' 'Solve for' \
+    'Much simpler in' 'is the hit' 'how the surface scatters'; do
+    check "'$answer' is among the answers at its end" after_questions "$answer"
+done
+check 'the notes are made' paper wide 16:9 notes
+check 'beside the slides' is_of_size wide-notes '907.087 x 255.118 pts'
+check 'there are notes on every page' tells notes wide-notes "$scratch/nothing"
+check 'as many as slides have pages' test "$(pages wide-notes)" -eq "$(pages wide)"
+check 'nothing is too high for the notes' no_complaints wide-notes
+check 'they say what the deck leaves out' contains wide-notes 'The deck leaves out:'
+check 'and what we correct' contains wide-notes 'Our correction: the red vector that the deck draws ends at'
+check 'how long it takes, and what comes next' contains wide-notes 'Next: Two ways of rendering'
+check 'nobody else sees them' lacks wide 'Our correction:'
 if [ -n "${CI:-}" ]; then
-    echo "skipped: dark slides, the handout with answers, notes, 4:3 and slides of one's own (CI)"
+    echo "skipped: dark slides, long numbers and slides of one's own (CI)"
     finish slides
     exit
 fi
-check 'a handout with answers is made' lecture_as handout 16:9 light handout
-check 'it has the questions' each contains handout "$questions"
-check 'and the answers' each contains handout "$answers"
-check 'dark slides are made' lecture_as dark 16:9 dark slides
+check 'dark slides are made' lecture_as dark 16:9 dark
 check 'and are dark' has_ground dark 22 25 29
-check 'also with all steps' shows_all_steps dark -dark
-
-check 'the notes are made' lecture_as notes 16:9 light notes
-check 'beside the slides' is_of_size notes '907.087 x 255.118 pts'
-check 'there are notes on every page' tells notes notes "$scratch/nothing"
-check 'nothing is too high for the notes' no_complaints notes
-check 'they say what the deck leaves out' contains notes 'The deck leaves out:'
-check 'and what we correct' contains notes 'Our correction: the red vector that the deck draws ends at'
-check 'nobody else sees them' lacks wide 'Our correction:'
 
 # The vectors of a turned camera are long.
-long=$scratch/long
-mkdir "$long"
-vector='{(-0.6846, -0.7287, -0.01688)}'
-sed -E "s/^(.newcommand.ex(Eye|Right|Up|Forward))\{.*/\\1$vector/" "$lecture/numbers.tex" >"$long/numbers.tex"
 fits_long_numbers() {
-    [ "$(grep -cF -e "$vector" "$long/numbers.tex")" -eq 4 ] &&
-        chapters/make_slides chapters/slides.tex "$long/turned.pdf" "$drawn" "$1" light slides &&
-        ! grep Overfull "$long/.work/turned/turned.log"
+    vector='(-0.6846, -0.7287, -0.01688)'
+    sed -E "s/(\"(eye|right|up|forward)\": \")[^\"]*/\\1$vector/g" "$lecture/numbers.json" >"$scratch/long.json"
+    [ "$(grep -oF -e "$vector" "$scratch/long.json" | wc -l)" -eq 4 ] &&
+        make_slides chapters/slides.txt "$scratch/long.json" "$drawn" "$1" light "$lecture/turned.pdf" && no_complaints turned
 }
 check 'long numbers are not too wide' fits_long_numbers 16:9
 check 'also in 4:3' fits_long_numbers 4:3
 
-# Text is 24 of 540 units high or larger.
-for shape in 16:9 4:3; do
-    check "slides and notes for the last row are made, $shape" lecture_as last $shape light notes
-    check "no text is too small, $shape" tells small last "$scratch/nothing"
-done
-
-again=$scratch/again
-mkdir "$again"
-cp "$lecture/numbers.tex" "$again"
+mkdir "$scratch/again"
 cp -r "$drawn" "$scratch/figures-again"
-check 'slides are made once more, elsewhere' chapters/make_slides chapters/slides.tex "$again/wide.pdf" "$scratch/figures-again" 16:9 light slides
-check 'and have the same bytes' cmp "$lecture/wide.pdf" "$again/wide.pdf"
+check 'slides are made once more, elsewhere' make_slides chapters/slides.txt "$lecture/numbers.json" "$scratch/figures-again" 16:9 light "$scratch/again/wide.pdf"
+check 'and have the same bytes' cmp "$lecture/wide.pdf" "$scratch/again/wide.pdf"
 
-# ---- slides of one's own -------------------------------------------------------------------------
+# ---- figures in LaTeX of one's own, and slides of one's own ----------------------------------------
 # A folder of its own, with all that 'make figures FORMAT=tex' made: every file on a page.
 talk=$scratch/talk
 mkdir "$talk"
-cp "$drawn"/*/*.tex "$drawn"/*/*-tex.pdf chapters/slides/lecture.sty "$talk"
+cp "$drawn"/*/*.tex "$drawn"/*/*-tex.pdf "$talk"
 {
-    printf '%s\n' '\documentclass[t]{beamer}' '\usepackage{lecture}' '\begin{document}'
+    printf '%s\n' '\documentclass[t]{beamer}' '\usepackage{lmodern,amsmath,graphicx,color}' '\begin{document}'
     for file in "$drawn"/*/*.tex; do
         printf '\\begin{frame}[plain]\\centering\\resizebox{!}{\\textheight}{\\input{%s}}\\end{frame}\n' "${file##*/}"
     done
@@ -232,51 +222,41 @@ complains_not() {
 }
 check 'no letter is missing' complains_not
 
-printf '%s\n' '\documentclass{beamer}' '\usepackage{lecture}' '\begin{document}' \
-    '\topic{Mine}{\exercise{05}{hit\_sphere}}' '\figureframe{parabola}{1}{A note.}' '\end{document}' >"$talk/mine.tex"
-check "slides of one's own are made" chapters/make_slides "$talk/mine.tex" "$lecture/mine.pdf" "$drawn" 16:9 light slides
-pages() {
-    pdfinfo "$lecture/$1.pdf" | sed -n 's/^Pages: *//p'
-}
-steps=$(find "$drawn/parabola" -name 'parabola-step[0-9].tex' | wc -l)
-check 'with a page for each step' test "$(pages mine)" -eq "$steps"
-check 'LaTeX alone makes them, where the figures are beside them' compiles mine
-by_the_page() {
-    commands=$(sed -n 's/^cd my-talk && //p' chapters/README.md | sed 's/talk/mine/g')
-    rm -f "$talk"/mine*.pdf
-    (cd "$talk" && sh -c "$commands" </dev/null) && cp "$talk/mine.pdf" "$talk/mine-dark.pdf" "$lecture"
-}
-check "the page's commands make two of them" by_the_page
-check 'a light one' has_ground mine 255 255 255
-check 'and a dark one' has_ground mine-dark 22 25 29
-
-# A figure of one's own, on slides of one's own. Its answers and its output are in a place of their own.
+# The text of the lecturer's page, and its figure of one's own. Answers and output are in a place of their own.
+sed -n '/^```text$/,/^```$/{/^```/d;p}' chapters/README.md >"$scratch/talk.txt"
 mkdir "$scratch/my-figures" "$scratch/answers"
 cp solutions/*.c "$scratch/answers"
 {
     echo '# data: parabola --origin -4,0.5,0 --direction 1,0,0'
     cat chapters/05-quadratic/figures/parabola.gp
 } >"$scratch/my-figures/half-way-up.gp"
-sed 's/parabola/half-way-up/' "$talk/mine.tex" >"$scratch/own.tex"
-with_own_figures() {
-    (unset MAKEFLAGS; make --no-print-directory slides "SLIDES=$scratch/own.tex" "FIGURES=$scratch/my-figures" "ANSWERS=$scratch/answers")
+own_slides() {
+    (unset MAKEFLAGS; make --no-print-directory slides "SLIDES=$scratch/talk.txt" "FIGURES=$scratch/my-figures" "ANSWERS=$scratch/answers")
 }
-check "a folder of one's own figures is used" with_own_figures
+check "the page's slides of one's own are made" own_slides
 shows_own_figure() {
-    pdfinfo "build$scratch/answers/slides/own.pdf" | grep -qx "Pages: *$steps" &&
-        pdftotext "build$scratch/answers/slides/own.pdf" - | grep -F '15.25'
+    pdftotext "build$scratch/answers/slides/talk.pdf" - | grep -F '15.25'
 }
-check 'with all its steps and its numbers' shows_own_figure
-rm -rf "build$scratch"
-
-printf '\\documentclass{beamer}\n\\begin{document}\n\\nosuchcommand\n\\end{document}\n' >"$scratch/wrong.tex"
-check 'a LaTeX error is a failure' fails chapters/make_slides "$scratch/wrong.tex" "$lecture/wrong.pdf" "$drawn" 16:9 light slides
+check 'with a figure of their own and its numbers' shows_own_figure
+# What is wrong is named, with its line.
+wrong_slides() {
+    sed "$1" "$scratch/talk.txt" >"$scratch/wrong.txt"
+    (unset MAKEFLAGS; make --no-print-directory slides "SLIDES=$scratch/wrong.txt" "FIGURES=$scratch/my-figures" "ANSWERS=$scratch/answers")
+}
+check 'a figure that is not there is an error' fails wrong_slides 's/half-way-up/nothing/'
+check 'and is named' says 'no figure nothing, expected one of half-way-up'
+check 'a slide without a name is an error' fails wrong_slides '/^name/d'
+check 'and is named, with its line' says "wrong.txt:4: 'Half way up' has no name"
+check 'a step that is not there is an error' fails wrong_slides 's/^answer.*/answer 9/'
+check 'and is named, with its slide' says "has no step 9: slide 'half-way-up'"
+check 'a LaTeX error is a failure' fails wrong_slides 's/|p + t v|/\\nosuchcommand/'
 check 'and is shown' says 'nosuchcommand'
-check 'by no picture that is left' test ! -e "$lecture/wrong.pdf"
+check 'by no picture that is left' test ! -e "build$scratch/answers/slides/wrong.pdf"
+rm -rf "build$scratch"
 without_slides() {
-    make --no-print-directory slides SLIDES=none.tex
+    make --no-print-directory slides SLIDES=none.txt
 }
 check 'SLIDES that is not there is an error' fails without_slides
-check 'and is named' says 'SLIDES=none.tex: no such file'
+check 'and is named' says 'SLIDES=none.txt: no such file'
 
 finish slides
