@@ -200,13 +200,20 @@ $(UNPACKED): build/handout.tar.gz
 BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/*.svg exercises/*.[ch] exercises/*.hints \
 	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h)
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
+# The slides of the lecture: chapters/slides.txt, and each step of their figures. Films are those of 'make animations'.
+BOOK_LECTURE := build/book-lecture.html
+$(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) $(DRAWN)
+	@export FORMAT=svg THEME= STEPS=1; SHAPE=4:3 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(NARROW_FIGURES) && \
+		SHAPE=16:9 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(WIDE_FIGURES)
+	$(Q)$(PYTHON) chapters/slides/lecture_page.py $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) > $@
+$(BOOK_STAMP): $(if $(FROM),,$(BOOK_LECTURE))
 $(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book.mk $(if $(FROM),$(UNPACKED))
 	$(call say,pages,$(BOOK))
 	$(Q)mkdir -p $(BOOK)
 	$(Q)$(LIST) > build/book-exercises.txt
 	$(Q)$(draw_lesson_steps)
 	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs $(BOOK_ROOT) $(BOOK) build/book-exercises.txt $(if $(FROM),none,$(B)/lessons) \
-		$(DRAWN_FIGURES) '$(HAND_IN)'
+		$(DRAWN_FIGURES) $(BOOK_LECTURE) $(BUILT)/animations '$(HAND_IN)'
 	@touch $@
 
 # What course and judge read: headers for what the compiler says, hints, blanks, layouts.

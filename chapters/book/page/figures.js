@@ -172,6 +172,9 @@ button:focus-visible, input:focus-visible { outline: 3px solid var(--blue, #0069
 .wrong { flex-basis: 100%; margin: 0; color: var(--orange, #b84a00); }
 .wrong:empty { display: none; }
 .spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+:host(.on-slide) .canvas { margin-top: var(--cut); }
+:host(.on-slide) .steps { display: none; }
+:host(.on-slide) .bar { position: absolute; z-index: 1; inset: auto 12px 6px 12px; border: 1px solid var(--line, #d0d6dc); border-radius: 0.4rem; font-size: 18px; visibility: var(--bar, hidden); }
 @media (prefers-reduced-motion: no-preference) { .handle::before { transition: inset 0.1s, opacity 0.1s; } }
 @media (forced-colors: active) { .handle::before { border-color: Highlight; opacity: 1; } }
 `;
@@ -216,16 +219,17 @@ function latest(ask, setBusy) {
 /**
  * Makes a static figure (site/lesson.mjs) live.
  * @param {HTMLElement} figure with data-stem, data-figure, data-step; its .drawing is filled
- * @param {{ask: (what: object) => Promise<object>, themeNow: () => string, onDrawn?: (drawn: object) => void}} given
- *        onDrawn: after each drawing, with the options and the time that it took
+ * @param {{ask: (what: object) => Promise<object>, themeNow: () => string, onDrawn?: (drawn: object) => void, shape?: string}} given
+ *        onDrawn: after each drawing, with the options and the time that it took; shape: on a slide, whatever the window is
+ * @returns {{goTo: (step: number) => void}}
  */
-function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
+export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: fixedShape = "" }) {
     const { stem, figure: name } = figure.dataset, place = figure.querySelector(".drawing");
     const narrow = matchMedia(NARROW), questions = latest(ask, (busy) => place.setAttribute("aria-busy", busy || held !== null));
     let step = Number(figure.dataset.step ?? 0) || 1000, steps = 1, options = {}, shown = null, root = null, keys = 0, held = null;
     const elements = {};
 
-    const shape = () => narrow.matches ? "4:3" : "16:9";
+    const shape = () => fixedShape || (narrow.matches ? "4:3" : "16:9");
     const wanted = (more = {}) => ({ do: "figure", stem, name, theme: themeNow(), shape: shape(), step, options, ...more });
 
     function redraw(more, then = () => {}) {
@@ -247,6 +251,7 @@ function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
 
     function begin() {
         const host = document.createElement("div");
+        host.className = fixedShape && "on-slide";
         root = host.attachShadow({ mode: "open" });
         const sheet = new CSSStyleSheet();
         sheet.replaceSync(STYLE);
@@ -413,5 +418,10 @@ function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
     narrow.addEventListener("change", () => redraw());
     document.addEventListener("theme", () => redraw());
     redraw();
-    return { redraw };
+    return {
+        goTo(wantedStep) {
+            step = wantedStep;
+            redraw();
+        },
+    };
 }

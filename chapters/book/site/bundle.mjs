@@ -29,6 +29,8 @@ async function bundleAll(site) {
         outdir: site, bundle: true, minify: true, format: "esm", target: "es2022", legalComments: "none", logLevel: "warning", ...more,
     });
     await bundle(["page/page.js"], { splitting: true, chunkNames: "part-[hash]", define: { COURSE: readFileSync(`${site}-course.json`, "utf8") } });
+    // The lecture is a classic script, which a browser also runs from a file.
+    await bundle(["page/lecture.js"], { format: "iife" });
     // A Worker is one file, because it starts after that: a part would be fetched after it.
     await bundle(["figure_worker.js", "judge_worker.js"], {
         external: ["module", "fs", "path", "url"], // gnuplot's module asks for them in node, not in a page

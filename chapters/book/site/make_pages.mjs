@@ -1,14 +1,15 @@
 // make_pages.mjs - writes the pages of the site: start, chapters, figures, contracts. Runs when the site is built.
 //
-// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS DRAWN [HAND-IN-ADDRESS]
+// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS DRAWN LECTURE FILMS [HAND-IN-ADDRESS]
 // ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints,
 // LESSONS the folder with the lessons whose numbers are marked, DRAWN that of the figures: NAME/NAME[-4x3][-stepN][-dark].svg.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
+import { lecturePage, typeset } from "./lecture.mjs";
 import { colouredC, escape, figure, lessonHtml } from "./lesson.mjs";
 
-const [root, site, exercisesFile, lessonsFolder, drawnFolder, handIn = ""] = process.argv.slice(2);
+const [root, site, exercisesFile, lessonsFolder, drawnFolder, lectureFile, filmsFolder, handIn = ""] = process.argv.slice(2);
 const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
 const used = new Set();
 const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
@@ -203,26 +204,42 @@ The verdicts here are for you: marks come from your instructor, who judges the a
 Science, Western Washington University, Fall 2015. The sphereflake is from Eric Haines' Standard Procedural Databases.</p></footer>
 </main>` }));
 
-// ---- all figures, for a lecturer ----------------------------------------------------------------
+// ---- the lecture, and all figures, for a lecturer -----------------------------------------------
 
-const figures = stems.flatMap((stem) => {
-    const names = readdirSync(join(root, "chapters", stem)).filter((name) => name.endsWith(".svg") && !/-step\d/.test(name));
-    return names.map((name) => {
-        const file = `chapters/${stem}/${name}`, svg = readFileSync(join(root, file), "utf8");
-        return { stem, file, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
-    });
-});
+const slides = isHandout ? "" : typeset(readFileSync(lectureFile, "utf8"));
+if (!isHandout) {
+    mkdirSync(join(site, "lecture"), { recursive: true });
+    for (const [, name] of slides.matchAll(/src="lecture\/([^"]*)\.svg"/g)) {
+        for (const theme of ["", "-dark"])
+            copyFileSync(join(drawnFolder, name.replace(/(-4x3)?-step\d+$/, ""), `${name}${theme}.svg`), join(site, `lecture/${name}${theme}.svg`));
+    }
+    for (const [, path] of slides.matchAll(/src="(chapters\/[^"]*\.png)"/g))
+        used.add(path);
+    const films = existsSync(filmsFolder) ? readdirSync(filmsFolder).filter((name) => existsSync(join(filmsFolder, name, `${name}.mp4`))) : [];
+    mkdirSync(join(site, "films"), { recursive: true });
+    for (const file of films.flatMap((name) => [`${name}/${name}.mp4`, `${name}/${name}-dark.mp4`]).filter((name) => existsSync(join(filmsFolder, name))))
+        copyFileSync(join(filmsFolder, file), join(site, "films", file.split("/")[1]));
+    write("lecture.html", lecturePage({ slides, films, policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
+}
+
+// In the order of the lecture, and those that it does not show at the end of their chapter's. A handout has no lecture.
+const onSlides = [...new Set([...slides.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
+const figures = stems.flatMap((stem) => readdirSync(join(root, "chapters", stem)).filter((name) => name.endsWith(".svg") && !/-step\d/.test(name)).map((file) => {
+    const name = file.slice(0, -4), svg = readFileSync(join(root, "chapters", stem, file), "utf8");
+    return { stem, name, file: `chapters/${stem}/${file}`, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
+}));
+const slideOf = (name) => slides.split("<section ").find((each) => each.includes(` data-figure="${name}"`)).match(/ data-name="([^"]*)"/)[1];
+const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
+figures.sort((a, b) => placeOf(a) - placeOf(b));
 write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
 <h1>Figures</h1>
 <p>These are all figures of the course, in the order of the lecture, for the projector. <q>Full screen</q> shows one alone: the arrow keys go through its steps, then to the next
-figure. <kbd>Esc</kbd> returns to this page.</p>
-${stems.map((stem) => [stem, figures.filter((each) => each.stem === stem)]).filter(([, of]) => of.length > 0).map(([stem, of]) => `<section aria-labelledby="of-${stem}">
-<h2 id="of-${stem}"><a href="${stem}.html">${escape(lessons[stem].title)}</a></h2>
+figure. <kbd>Esc</kbd> returns to this page.${isHandout ? "" : " <a href=\"lecture.html\">The lecture</a> has them on its slides."}</p>
 <div class="grid">
-${of.map(({ file, title, words }) => `<section aria-label="${title}"><h3>${title}</h3>
-${figure({ root, file, words, first: false, used })}</section>`).join("\n")}
+${figures.map(({ stem, name, file, title, words }) => `<section id="${name}" aria-label="${title}"><h2><a href="#${name}">${title}</a></h2>
+<p class="meta"><a href="${stem}.html">Chapter ${stem.slice(0, 2)}</a>${onSlides.includes(name) ? ` · <a href="lecture.html#${slideOf(name)}">its slide</a>` : ""}</p>
+${figure({ root, file, words, first: false, used }).replace(' data-src=', ' data-step="1" data-src=')}</section>`).join("\n")}
 </div>
-</section>`).join("\n")}
 </main>` }));
 
 // ---- the optional tasks, and the files that lessons link to -------------------------------------
@@ -274,5 +291,5 @@ if (!allHtml.includes('class="katex'))
 const serif = packageFolder("@fontsource/source-serif-4");
 for (const kind of ["400-normal", "400-italic", "600-normal"])
     copyFileSync(join(serif, `files/source-serif-4-latin-${kind}.woff2`), join(site, "fonts", `source-serif-${kind}.woff2`));
-for (const name of ["style.css", "editor.css", "early.js", "icon.svg"])
+for (const name of ["style.css", "editor.css", "lecture.css", "early.js", "icon.svg"])
     copyFileSync(new URL(`../page/${name}`, import.meta.url), join(site, name));

@@ -1,0 +1,57 @@
+// lecture.mjs - the page of the lecture: the slides that chapters/slides/lecture_page.py writes, with their mathematics
+// typeset, and what a lecturer does with them (page/lecture.js). Runs when the site is built.
+import katex from "katex";
+import { escape } from "./lesson.mjs";
+
+const unescape = (text) => text.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&#x27;/g, "'").replace(/&quot;/g, '"').replace(/&amp;/g, "&");
+
+/** The slides as HTML with typeset formulas. */
+export function typeset(slides) {
+    return slides.replace(/<math-tex( class="display")?>(.*?)<\/math-tex>/gs, (_, display, tex) =>
+        katex.renderToString(unescape(tex), { displayMode: Boolean(display), throwOnError: true, strict: "error", output: "htmlAndMathml" }));
+}
+
+/** Keys, in the order of the help. */
+const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, End", "the first, the last"], ["F", "full screen"], ["S", "window for the speaker: notes, next slide, time"],
+    ["O", "overview"], ["G", "go to a number or a name"], ["B .", "black screen"], ["D", "draw; again: stop"], ["C", "clear the drawing"], ["N", "numbers of the figure"],
+    ["V", "the film of the slide"], ["T", "light or dark"], ["?", "these keys"]];
+
+/**
+ * @param {{slides: string, films: string[], policy: string, isStatic: boolean}} given films: names of those that the site has
+ */
+export function lecturePage({ slides, films, policy, isStatic }) {
+    const withFilms = slides.replace(/ data-film="([^"]*)"/g, (whole, name) => (films.includes(name) ? whole : ""));
+    return `<!DOCTYPE html>
+<html lang="en" data-kind="lecture"${isStatic ? ' data-figures="static"' : ""}>
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="${escape(policy)}">
+<meta name="color-scheme" content="light dark">
+<title>Lecture · Ray casting</title>
+<link rel="icon" href="icon.svg" type="image/svg+xml">
+<link rel="stylesheet" href="style.css">
+<link rel="stylesheet" href="mathematics.css">
+<link rel="stylesheet" href="lecture.css">
+<script src="early.js"></script>
+<script src="lecture.js" defer></script>
+</head>
+<body>
+<main id="stage">
+${withFilms}</main>
+<canvas id="pen" hidden></canvas>
+<div id="black" hidden></div>
+<nav class="tools" aria-label="Slides">
+<button type="button" data-do="back" aria-label="Back">‹</button><button type="button" data-do="next" aria-label="Next">›</button><button type="button" data-do="film" hidden>Film</button>
+<button type="button" data-do="numbers" hidden>Numbers</button><button type="button" data-do="overview">Overview</button><button type="button" data-do="speaker">Speaker</button>
+<button type="button" data-do="full">Full screen</button><button type="button" data-do="help" aria-label="Keys">?</button><a href="index.html">Course</a>
+</nav>
+<aside id="speaker" hidden aria-label="For the speaker"><p class="time"><span id="clock"></span> <span id="planned"></span></p><div id="notes"></div><p id="following"></p></aside>
+<dialog id="jump"><form method="dialog"><label>Number or name <input list="names" autocomplete="off"></label><datalist id="names"></datalist></form></dialog>
+<dialog id="film"><video controls muted playsinline></video></dialog>
+<dialog id="help"><h2>Keys</h2><dl>${KEYS.map(([key, words]) => `<div><dt>${key.split(" ").map((each) => `<kbd>${escape(each)}</kbd>`).join(" ")}</dt><dd>${escape(words)}</dd></div>`).join("")}</dl></dialog>
+<p class="aloud" role="status" id="spoken"></p>
+</body>
+</html>
+`;
+}

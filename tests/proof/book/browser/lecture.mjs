@@ -1,0 +1,132 @@
+// lecture.mjs - the lecture in a real browser: its keys, its addresses, a figure that is dragged, the speaker's window, and the
+// page as a file.
+//
+// Usage: BROWSER=chromium|firefox node lecture.mjs SITE
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import test from "node:test";
+import { begin, openTab, seriousFindings, waitFor } from "../site.mjs";
+
+const [folder] = process.argv.slice(2);
+const { host, browser } = await begin(folder);
+const html = readFileSync(join(folder, "lecture.html"), "utf8");
+
+async function open(address = "") {
+    const tab = await openTab(browser, host.address, { width: 1280, height: 720 });
+    await tab.goto(`${host.address}lecture.html${address}`, { waitUntil: "load" });
+    await isReady(tab);
+    return tab;
+}
+const isReady = (tab) => waitFor("the slides", () => tab.evaluate(() => document.documentElement.classList.contains("ready")));
+const shown = (tab) => tab.evaluate(() => {
+    const page = document.querySelector(".slide.shown");
+    return { address: location.hash, number: page.dataset.slide, words: [...page.querySelectorAll("p")].filter((each) => getComputedStyle(each).visibility === "visible").map((each) => each.innerText).join("\n") };
+});
+async function press(tab, ...keys) {
+    for (const key of keys)
+        await tab.keyboard.press(key);
+    return shown(tab);
+}
+
+test("keys and a clicker go from step to step", async () => {
+    const tab = await open("#camera-frame");
+    assert.equal((await press(tab, "PageDown")).address, "#camera-frame/2");
+    assert.equal((await press(tab, "ArrowRight", "Space")).address, "#double-dwh");
+    assert.equal((await press(tab, "ArrowLeft", "PageUp")).address, "#camera-frame/2");
+    assert.equal((await press(tab, "Home")).number, "1");
+    await tab.close();
+});
+
+test("a question is shown before its answer", async () => {
+    const tab = await open("#double-dwh");
+    assert.match((await shown(tab)).words, /Would it matter/);
+    assert.doesNotMatch((await shown(tab)).words, /No: every vector/);
+    assert.match((await press(tab, "ArrowRight")).words, /No: every vector/);
+    await tab.close();
+});
+
+test("a number and a name lead to their slide", async () => {
+    const tab = await open();
+    await press(tab, "g");
+    await tab.keyboard.type("9");
+    assert.equal((await press(tab, "Enter")).number, "9");
+    await press(tab, "g");
+    await tab.keyboard.type("parabola");
+    assert.equal((await press(tab, "Enter")).address, "#parabola");
+    await tab.close();
+});
+
+test("a black screen hides the slide, and the next key shows it again", async () => {
+    const tab = await open("#parabola");
+    const isBlack = () => tab.$eval("#black", (each) => !each.hidden);
+    await press(tab, "b");
+    assert.ok(await isBlack());
+    assert.equal((await press(tab, "ArrowRight")).address, "#parabola");
+    assert.ok(!await isBlack());
+    await tab.close();
+});
+
+test("no words leave their slide", async () => {
+    const tab = await open();
+    const outside = await tab.evaluate(() => [...document.querySelectorAll(".slide")].filter((page) => {
+        const footer = page.querySelector("footer").getBoundingClientRect();
+        return [...page.querySelectorAll(".words p")].some((each) => each.getBoundingClientRect().bottom > footer.top + 3);
+    }).map((page) => page.id));
+    assert.deepEqual(outside, []);
+    await tab.close();
+});
+
+test("a figure is dragged, and stays so on the next step", async () => {
+    const tab = await open("#ray-sphere");
+    const state = () => tab.evaluate(() => {
+        const root = document.querySelector(".shown .drawing > div")?.shadowRoot, box = root?.querySelector(".handle")?.getBoundingClientRect();
+        return box && document.querySelector(".shown .drawing").ariaBusy !== "true" && { value: root.querySelector("input[name=origin]").value, x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    });
+    const before = await waitFor("the live figure", state);
+    await tab.mouse.move(before.x, before.y);
+    await tab.mouse.down();
+    await tab.mouse.move(before.x + 30, before.y - 40, { steps: 5 });
+    await tab.mouse.up();
+    const after = await waitFor("another origin", async () => { const now = await state(); return now && now.value !== before.value && now; });
+    await press(tab, "PageDown");
+    await waitFor("the same figure", async () => (await state())?.value === after.value);
+    await tab.close();
+});
+
+test("the speaker's window follows, and leads", async () => {
+    const tab = await open("#camera-frame");
+    const [page] = await Promise.all([new Promise((done) => tab.once("popup", done)), tab.keyboard.press("s")]);
+    await isReady(page);
+    const notes = () => page.$eval("#speaker", (each) => each.innerText);
+    await waitFor("its notes", async () => /left-handed/.test(await notes()));
+    assert.match(await notes(), /4 min|3 min/);
+    await page.keyboard.press("PageDown");
+    await waitFor("the slides follow", async () => (await shown(tab)).address === "#camera-frame/2");
+    await press(tab, "PageDown");
+    await waitFor("the window follows", async () => (await shown(page)).address === "#camera-frame/3");
+    await page.close();
+    await tab.close();
+});
+
+test("it works as a file", async () => {
+    const tab = await browser.newPage();
+    await tab.goto(`file://${resolve(folder, "lecture.html")}#corner-vectors`);
+    await isReady(tab);
+    assert.equal((await press(tab, "PageDown")).address, "#corner-vectors/2");
+    assert.ok(await tab.$eval(".shown .drawing img", (each) => each.complete && each.naturalWidth > 0));
+    await tab.close();
+});
+
+test("everybody can use it", async () => {
+    const tab = await open("#parabola");
+    assert.deepEqual(await seriousFindings(tab), []);
+    await tab.close();
+});
+
+test("figures.html has the lecture's figures in its order, each with an address", () => {
+    const wanted = [...new Set([...html.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
+    const there = [...readFileSync(join(folder, "figures.html"), "utf8").matchAll(/<section id="([^"]*)"/g)].map(([, name]) => name);
+    assert.ok(wanted.length > 20);
+    assert.deepEqual(there.filter((name) => wanted.includes(name)), wanted);
+});
