@@ -182,6 +182,12 @@ static void hit_names(Plot *plot, const Shown *shown)
     }
 }
 
+// The picture at the upper left (common/figure/spheres.gp).
+static void picture_is_clear(Plot *plot)
+{
+    plot_keep_clear(plot, (Room){0.02, 0.19, 0.51, 0.86}, (Room){0.03, 0.25, 0.51, 0.86});
+}
+
 // In words, the hits after the closest one.
 static void farther_hits(Plot *plot, const Shown *shown)
 {
@@ -197,6 +203,7 @@ static void ray_casting(Plot *plot, void *given)
     ray_casting_data(plot, given);
     farther_hits(plot, given);
     hit_names(plot, given);
+    picture_is_clear(plot);
 }
 
 // The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left.
@@ -233,6 +240,7 @@ static void same_view(Plot *plot, const Shown *shown, Ray miss)
     plot_fit(plot, shown->ray.origin + missing_end(shown, miss) * miss.direction, 0);
     plot_room(plot, room, room);
     plot_fill_room(plot);
+    picture_is_clear(plot);
 }
 
 static void image_order(Plot *plot, void *given)

@@ -6,6 +6,7 @@ description = sprintf("A ray goes from the eye through the centre of pixel %s of
 %s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres
+@seen_flat
 
 plot @patches @behind \
     $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
@@ -13,7 +14,7 @@ plot @patches @behind \
     for [_=5:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable \
         title "your pixels", \
     @step3 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
-    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
@@ -22,5 +23,10 @@ plot @patches @behind \
     @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
+    @flat_plane \
+    @step5 @flat_pixels \
+    @step3 @flat_pixel \
+    @flat_lines, \
+    @step2 $pixel index 0 using @flat with @thick lc rgb ink title "picture, outline of the pixel", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels
