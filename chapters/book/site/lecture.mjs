@@ -44,7 +44,7 @@ ${withFilms}</main>
 <nav class="tools" aria-label="Slides">
 <button type="button" data-do="back" aria-label="Back">‹</button><button type="button" data-do="next" aria-label="Next">›</button><button type="button" data-do="film" hidden>Film</button>
 <button type="button" data-do="numbers" hidden>Numbers</button><button type="button" data-do="overview">Overview</button><button type="button" data-do="speaker">Speaker</button>
-<button type="button" data-do="full">Full screen</button><button type="button" data-do="help" aria-label="Keys">?</button><a href="index.html">Course</a>
+<button type="button" data-do="full">Full screen</button><button type="button" id="theme" data-do="theme">Theme</button><button type="button" data-do="help" aria-label="Keys">?</button><a href="index.html">Course</a>
 </nav>
 <aside id="speaker" hidden aria-label="For the speaker"><p class="time"><span id="clock"></span> <span id="planned"></span></p><div id="notes"></div><p id="following"></p></aside>
 <dialog id="jump"><form method="dialog"><label>Number or name <input list="names" autocomplete="off"></label><datalist id="names"></datalist></form></dialog>
