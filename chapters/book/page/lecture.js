@@ -203,7 +203,12 @@ const actions = {
     full: () => (document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen?.())?.catch(() => {}),
     speaker: () => { other = open(`?speaker${location.hash}`, "speaker", "width=1200,height=760") ?? other; },
     black: () => { $("black").hidden = !$("black").hidden; },
-    overview: () => { if (toggle("overview")) pages[at].scrollIntoView({ block: "center" }); else resize(); },
+    overview: () => {
+        if (toggle("overview"))
+            pages[at].scrollIntoView({ block: "center" });
+        else
+            resize();
+    },
     jump: () => { $("jump").querySelector("input").value = ""; $("jump").showModal(); },
     pen: () => { $("pen").hidden = !$("pen").hidden; resize(); },
     clear: () => { strokes.delete(pages[at].id); drawStrokes(); },
