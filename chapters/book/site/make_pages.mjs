@@ -238,7 +238,7 @@ figure. <kbd>Esc</kbd> returns to this page.${isHandout ? "" : " <a href=\"lectu
 <div class="grid">
 ${figures.map(({ stem, name, file, title, words }) => `<section id="${name}" aria-label="${title}"><h2><a href="#${name}">${title}</a></h2>
 <p class="meta"><a href="${stem}.html">Chapter ${stem.slice(0, 2)}</a>${onSlides.includes(name) ? ` · <a href="lecture.html#${slideOf(name)}">its slide</a>` : ""}</p>
-${figure({ root, file, words, first: false, used }).replace(' data-src=', ' data-step="1" data-src=')}</section>`).join("\n")}
+${figure({ root, file, words, first: false, used }).replace(" data-src=", ` data-step="1" data-src=`)}</section>`).join("\n")}
 </div>
 </main>` }));
 
