@@ -627,10 +627,18 @@ static const short widths[] = {
 double labels_text_width(const char *text, double size)
 {
     enum { OTHERS = 838 }; // minus, times and the like; few are wider
+    enum {
+        RAISED = 420,
+        DOT = 318
+    }; // of a power of ten: its digits and minus, and the dot before it
     int thousandths = 0;
     for (const unsigned char *c = (const unsigned char *)text; *c != '\0'; c++) {
         if (*c >= ' ' && *c < 127)
             thousandths += widths[*c - ' '];
+        else if (c[0] == 0xE2 && c[1] == 0x81) // U+2070 and so on
+            thousandths += RAISED;
+        else if (c[0] == 0xC2 && c[1] == 0xB7 && c[2] == ' ')
+            thousandths += DOT;
         else if ((*c & 0xC0) == 0xC0) // the first byte of another character
             thousandths += OTHERS;
     }
