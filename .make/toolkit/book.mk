@@ -110,27 +110,37 @@ $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $$(addprefix $(B)/answer_names/,$$(
 	$(Q)mkdir -p $(@D)
 	$(Q)sed 's/ .*//' $(filter-out %.mk,$^) > $@
 
+# What casts in a page, tile by tile: with the reference's answers; and as an object, for those of a student.
+CASTING := $(call wasm_objects,chapters/book/cast/cast.c $(wildcard chapters/08-fast/engines/*.c))
+CASTING_LINK := $(WASM)/link/cast.o
+BOOK_CASTING := $(if $(FROM),,$(BOOK)/programs/cast.wasm)
+$(BOOK)/programs/cast.wasm: $(CASTING) $(call wasm_objects,$(foreach s,$(STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -mexec-model=reactor -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
+
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
-PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(if $(FROM),,$(BOOK_STEMS:%=$(WASM)/link/%-right.o))
+PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(if $(FROM),,$(STEMS:%=$(WASM)/link/%-right.o) $(CASTING_LINK))
 WASM_DRAW := $(WASM)/tests/course/pictures/draw.o
 $(WASM_DRAW): WASM_EXTRA = -include $(B)/weak.h
 $(WASM_DRAW): $(B)/weak.h
 $(WASM)/link/drawing.o: $(WASM_DRAW) $(WASM)/$(INSTEAD)/steps.o
 $(BOOK_STEMS:%=$(WASM)/link/%-program.o): $(WASM)/link/%-program.o: $$(call wasm_program,$$*) $(WASM)/$(INSTEAD)/steps.o
-$(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
+$(CASTING_LINK): $(CASTING)
+$(WASM)/link/drawing.o $(CASTING_LINK) $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
-$(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/names.def tests/exercises.def
+$(STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),answer_) > $@
-$(BOOK_STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: $$(call exact_of,$$*) $(WASM)/right/%.h
+$(STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: $$(call exact_of,$$*) $(WASM)/right/%.h
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -MF $(WASM)/right/$*.d -include $(WASM)/right/$*.h -o $@ $<
 REFERENCE_LINKS := $(WASM)/link/reference
-$(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(foreach s,$(BOOK_STEMS),$(WASM)/names/$(s))
+$(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(foreach s,$(STEMS),$(WASM)/names/$(s))
 	$(call say,wasm,$(@D))
 	$(Q)mkdir -p $(@D)
 	$(Q)for name in $$(cat $(filter $(WASM)/names/%,$^)); do \
@@ -168,7 +178,7 @@ $(BOOK_PLAN): .make/toolkit/book.mk
 			$(if $(FROM),'stands on	$(call earlier,$(s))') $(if $(filter $(s),$(BOOK_STEMS)),$(if $(FROM),,'right	link/$(s)-right.o') \
 			'program	link/$(s)-program.o link/shared.a')) > $@
 
-book-programs: $(BOOK_PROGRAMS)
+book-programs: $(BOOK_PROGRAMS) $(BOOK_CASTING)
 book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(STEMS:%=$(WASM)/names/%) $(BOOK_PLAN) \
 	$(BOOK_PICTURES)
 .PHONY: book-programs book-judge
@@ -228,7 +238,7 @@ $(BOOK_TABLES): $(BOOK)/tables/%.gz: $(if $(FROM),$(ARCHIVED),$(TABLE))/%
 	$(Q)gzip -9nc $< > $@
 
 # The list of files for the service worker is of all that is there, so it comes last.
-$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) $(BOOK_TABLES) \
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_CASTING) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) $(BOOK_TABLES) \
 		$(BOOK)/compiler/sizes.json
 	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
 
@@ -285,6 +295,15 @@ $(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
+
+# Scenes to cast in a page.
+BOOK_SCENES := $(if $(FROM),,$(patsubst %,$(BOOK)/scenes/%.nff.gz,three-spheres sphereflake-91 sphereflake-820 sunflower finale))
+$(BOOK)/scenes/three-spheres.nff.gz: chapters/06-ray-casting/three-spheres.nff
+$(filter-out %/three-spheres.nff.gz,$(BOOK_SCENES)): $(BOOK)/scenes/%.gz: $(B)/scenes/%
+$(BOOK_SCENES):
+	$(Q)mkdir -p $(@D)
+	$(Q)gzip -9nc $< > $@
+$(BOOK)/service_worker.js: $(BOOK_SCENES)
 
 BOOK_FIGURES := $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(if $(FROM),,$(LESSON_NUMBERS))
 $(BOOK)/service_worker.js: $(BOOK_FIGURES)

@@ -1,5 +1,6 @@
 // judge_worker.js - judges answers beside the page: the compiler and the judge. What a question needs is fetched when it
 // is first asked.
+import { castLinker } from "./cast/link_cast.js";
 import { load, unpack } from "./compiler.js";
 import { createJudge } from "./judge.js";
 import { toolsOf, WholeCompilerNeeded } from "./tools.js";
@@ -24,9 +25,11 @@ const judging = once(async () => {
         compile: tools.compile, link: isHandout ? tools.linkAnswer : undefined }) };
 });
 /** What pictures are linked with, and the scenes that they show: after the verdict. */
+const picturePack = once(async () => unpack(new Uint8Array(await unzipped("pictures.pack.gz"))));
+const casting = once(async () => castLinker(await compiler(), await picturePack()));
 const pictures = once(async () => {
     const { judge, objects } = await judging();
-    for (const [path, bytes] of unpack(new Uint8Array(await unzipped("pictures.pack.gz"))))
+    for (const [path, bytes] of await picturePack())
         if (/\.(png|nff)$/.test(path))
             judge.files.put(path, bytes);
         else
@@ -68,11 +71,22 @@ async function compile(stem, text) {
     return compiled.get(stem).result;
 }
 
-/** How many functions are right, from the lines 'stem, name, state' of course status. */
+/** How many functions are right, and the state of each, from the lines 'stem, name, state' of course status. */
 function countOf(status, stem) {
-    const states = status.split("\n").map((line) => line.split("\t")).filter(([of, name]) => of === stem && name !== "").map(([, , state]) => state);
-    const right = states.filter((state) => state === "right").length;
-    return { right, total: states.length, done: states.length > 0 && right === states.length };
+    const states = Object.fromEntries(status.split("\n").map((line) => line.split("\t")).filter(([of, name]) => of === stem && name !== "").map(([, name, state]) => [name, state]));
+    const total = Object.keys(states).length, right = Object.values(states).filter((state) => state === "right").length;
+    return { right, total, done: total > 0 && right === total, states };
+}
+
+/** All chapters draw a picture, without what the judge counts in an answer. */
+async function takeDrawing(judge, given, first, others) {
+    const { objectOf } = await casting(), { stem, sources } = given;
+    given.compiled = { [stem]: { ...first, object: await objectOf(stem, sources[stem]) ?? first.object } };
+    for (const other of others) {
+        const object = await objectOf(other, sources[other]);
+        if (object)
+            judge.files.put(`build/exercises/verdict/${other}/answer.o`, object);
+    }
 }
 
 const recordOf = (stem) => `build/exercises/verdict/${stem}.record`;
@@ -109,7 +123,13 @@ answerQuestions({
         // The verdict at once; the pictures that the answer draws when they are linked.
         tellProgress("Drawing", 0, 0, await told(verdict));
         await pictures();
+        if (!isHandout)
+            await takeDrawing(before, given, first, Object.keys(records));
         return told(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
+    },
+    /** A program that casts (cast/cast.c) with these answers: a WebAssembly.Module. */
+    async program({ answers }) {
+        return (await casting()).link(answers);
     },
     async hint({ stem, sources, state }) {
         const { judge: before } = await judging();

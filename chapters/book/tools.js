@@ -5,9 +5,9 @@ import { Files } from "./wasi.js";
 /** The small compiler lacks a function that this run needs. */
 export class WholeCompilerNeeded extends Error {}
 
-const LIBRARIES = ["lib/common.a"].concat(["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`),
+export const LIBRARIES = ["lib/common.a"].concat(["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`),
     ["lib/libm.a", "lib/libc.a", "lib/builtins.a"]);
-const FLAGS = ["--gc-sections", "--strip-all", "--no-check-features", "--stack-first", "-z", "stack-size=1048576", "--max-memory=536870912"];
+export const FLAGS = ["--gc-sections", "--strip-all", "--no-check-features", "--stack-first", "-z", "stack-size=1048576", "--max-memory=536870912"];
 
 /**
  * @param {import("./compiler.js").Compiler} compiler

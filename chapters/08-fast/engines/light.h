@@ -160,4 +160,20 @@ const LightSteps *steps_for(const LightWorld *world, const int *columns, const i
 // hits. Otherwise they are searched.
 void path_colors(LightPaths *all, bool known);
 
+// ---- a picture, part by part ------------------------------------------------------------------
+
+typedef struct LightPicture LightPicture;
+
+// The world of a scene. NULL if there is not enough memory.
+LightPicture *light_picture_build(const Scene *scene);
+void light_picture_free(LightPicture *picture);
+
+// From now on the picture is work's, which stays where it is. May be called again, with another
+// camera, image or style.
+void light_picture_look(LightPicture *picture, const Work *work, Style style);
+
+// Paints the columns left to right - 1 and the rows top to bottom - 1 of the image. False if there
+// is not enough memory.
+bool light_picture_paint(LightPicture *picture, int left, int top, int right, int bottom);
+
 #endif

@@ -13,14 +13,15 @@
 enum { BLOCK = 16 }; // pixels in a row of a block, whose samples are traced together
 
 // A shaded picture, for all threads.
-typedef struct {
+struct LightPicture {
     const Work *work;
     Rendering rendering;
     LightWorld world;
-    const LightSteps *steps;
-    int *seen; // the sphere that each sample sees, row by row; NULL: not known
+    const LightSteps *steps; // NULL: not chosen yet
+    int *seen;               // the sphere that each sample sees, row by row; NULL: not known
     atomic_bool short_of_memory;
-} Lit;
+};
+typedef LightPicture Lit;
 
 // Other threads write other rows at the same time, so image_set cannot be used.
 static void set_pixel(Image *image, Pixel pixel, Color color)
@@ -193,46 +194,82 @@ static void paint_block(Block *block)
     }
 }
 
+bool light_picture_paint(Lit *lit, int left, int top, int right, int bottom)
+{
+    Block block = {.lit = lit, .all = light_paths_create(&lit->world, lit->steps)};
+    if (block.all == NULL)
+        return false;
+    for (block.top = top; block.top < bottom; block.top += BLOCK)
+        for (block.left = left; block.left < right; block.left += BLOCK) {
+            block.right = least(block.left + BLOCK, right);
+            block.bottom = least(block.top + BLOCK, bottom);
+            paint_block(&block);
+        }
+    free(block.all);
+    return true;
+}
+
 static void row_of_blocks(void *given, int number)
 {
     Lit *lit = given;
     Resolution image = lit->work->image->size;
     int top = number * BLOCK, bottom = least(top + BLOCK, image.height);
-    Block block = {.lit = lit, .top = top, .bottom = bottom};
-    block.all = light_paths_create(&lit->world, lit->steps);
-    if (block.all == NULL)
+    if (!light_picture_paint(lit, 0, top, image.width, bottom))
         atomic_store(&lit->short_of_memory, true);
-    for (; block.all != NULL && block.left < image.width; block.left += BLOCK) {
-        block.right = least(block.left + BLOCK, image.width);
-        paint_block(&block);
-    }
-    free(block.all);
     rows_are_done(lit->work->image, bottom - top);
+}
+
+LightPicture *light_picture_build(const Scene *scene)
+{
+    LightPicture *picture = calloc(1, sizeof *picture);
+    if (picture == NULL)
+        return NULL;
+    picture->world.scene = scene;
+    if (light_world_build(&picture->world))
+        return picture;
+    light_picture_free(picture);
+    return NULL;
+}
+
+void light_picture_look(LightPicture *picture, const Work *work, Style style)
+{
+    const Resolution screen = work->image->size;
+    free(picture->seen);
+    picture->seen = NULL;
+    picture->work = work;
+    picture->rendering = (Rendering){work->camera, screen, style, NULL};
+    picture->world.camera = work->camera;
+    picture->world.samples =
+        (Resolution){screen.width * style.samples, screen.height * style.samples};
+    picture->world.depth = style.depth;
+    look(picture);
+    if (picture->steps == NULL)
+        choose_steps(picture);
+}
+
+void light_picture_free(LightPicture *picture)
+{
+    if (picture == NULL)
+        return;
+    free(picture->seen);
+    light_world_free(&picture->world);
+    free(picture);
 }
 
 bool light_bvh(const Work *work, Style style, Message *message)
 {
     if (extreme_light(work))
         return light_plain(work, style, message);
-    const Resolution screen = work->image->size;
-    Lit lit = {.work = work,
-               .rendering = {work->camera, screen, style, NULL},
-               .world = {.scene = work->scene,
-                         .camera = work->camera,
-                         .samples = {screen.width * style.samples, screen.height * style.samples},
-                         .depth = style.depth}};
-    bool ready = light_world_build(&lit.world);
+    LightPicture *picture = light_picture_build(work->scene);
     if (work->built != NULL)
         *work->built = clock_seconds();
-    if (ready) {
-        look(&lit);
-        choose_steps(&lit);
-        in_parallel(work->threads, (screen.height + BLOCK - 1) / BLOCK, row_of_blocks, &lit);
+    if (picture != NULL) {
+        light_picture_look(picture, work, style);
+        in_parallel(work->threads, (work->image->size.height + BLOCK - 1) / BLOCK, row_of_blocks,
+                    picture);
     }
-    free(lit.seen);
-    light_world_free(&lit.world);
-    if (ready && !lit.short_of_memory)
-        return true;
-    return message_set(message, "no memory for a hierarchy of %d spheres",
-                       work->scene->sphere_count);
+    bool done = picture != NULL && !picture->short_of_memory;
+    light_picture_free(picture);
+    return done || message_set(message, "no memory for a hierarchy of %d spheres",
+                               work->scene->sphere_count);
 }

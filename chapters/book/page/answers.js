@@ -8,7 +8,8 @@ const VERSIONS = 20; // of each chapter
 
 /**
  * @typedef {{text: string, why: string, when: number}} Version
- * @typedef {{of: string, right: number, total: number, done: boolean}} Verdict `of` is the text that was judged, in short
+ * @typedef {{of: string, right: number, total: number, done: boolean, states?: Object<string, string>}} Verdict `of` is the text
+ *     that was judged, in short; states: of each function
  */
 
 /** A short name of a text: equal texts have equal names. */
@@ -101,9 +102,19 @@ export function openAnswers({ storage, folder, onTrouble }) {
         },
         saveVerdict: (stem, verdict) => put(key(stem, "verdict"), JSON.stringify(verdict)),
         /** Keeps what the judge said of a text. */
-        saveJudged(stem, text, { record, right, total, done }) {
+        saveJudged(stem, text, { record, right, total, done, states }) {
             put(key(stem, "record"), record);
-            this.saveVerdict(stem, { of: nameOfText(text), right, total, done });
+            this.saveVerdict(stem, { of: nameOfText(text), right, total, done, states });
+        },
+        /** The chapters with right functions: their texts, and the names of these. */
+        right(stems) {
+            const found = {};
+            for (const stem of stems) {
+                const used = Object.entries(this.verdict(stem)?.states ?? {}).filter(([, state]) => state === "right").map(([name]) => name);
+                if (used.length > 0)
+                    found[stem] = { text: read(key(stem)), used };
+            }
+            return found;
         },
         /** Whether the browser has kept the text of a chapter. */
         isKept: (stem) => !refused.has(key(stem)),

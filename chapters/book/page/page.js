@@ -150,6 +150,12 @@ async function judgeAll(stems, course, onNext) {
 
 async function setUpStart(course) {
     const say = (words) => { $("state").textContent = words; };
+    let follow = async () => {};
+    if (root.dataset.figures !== "static") {
+        const { setUpOwnPicture } = await import("./own_picture.js");
+        follow = setUpOwnPicture({ place: $("picture"), site, course, answers });
+        follow().catch(() => {}); // the picture that the page came with stays
+    }
     $("upload").addEventListener("change", async (event) => {
         showTrouble("");
         try {
@@ -162,7 +168,10 @@ async function setUpStart(course) {
             }
             const stems = [...found.keys()].sort(), loaded = `Loaded ${stems.map((each) => each.slice(0, 2)).join(", ")}.`;
             showProgress(course);
-            judgeAll(stems, course, (each) => say(`${loaded} Judging ${each.slice(0, 2)}.`)).then(() => say(`${loaded} Open a chapter to see its verdict.`));
+            judgeAll(stems, course, (each) => say(`${loaded} Judging ${each.slice(0, 2)}.`)).then(() => {
+                say(`${loaded} Open a chapter to see its verdict.`);
+                return follow();
+            }).catch(() => {});
         } catch (reason) {
             showTrouble(`The upload was not read: ${reason.message}. Nothing has changed.`);
         }

@@ -32,7 +32,7 @@ async function bundleAll(site) {
     // The lecture is a classic script, which a browser also runs from a file.
     await bundle(["page/lecture.js"], { format: "iife" });
     // A Worker is one file, because it starts after that: a part would be fetched after it.
-    await bundle(["figure_worker.js", "judge_worker.js"], {
+    await bundle(["figure_worker.js", "judge_worker.js", "cast/cast_worker.js"], {
         external: ["module", "fs", "path", "url"], // gnuplot's module asks for them in node, not in a page
     });
     writeServiceWorker(site);

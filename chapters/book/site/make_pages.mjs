@@ -161,7 +161,7 @@ const cards = stems.map((stem) => `<li data-stem="${stem}"><a href="${stem}.html
 <p class="meta"><span class="time">${escape(lessons[stem].time.split(";")[0])}</span><span class="done" data-of="${functions[stem]?.length ?? 0}">${functions[stem]?.length ?? 0} function${functions[stem]?.length === 1 ? "" : "s"}</span></p></li>`).join("\n");
 write("index.html", frame({ title: "Ray casting, step by step", kind: "start", main: `<main class="start" id="main">
 <div class="hero">
-<img src="${finale}" alt="A sphereflake of mirrors among marbles, cast by the code of this course" width="1280" height="720" fetchpriority="high">
+<figure id="picture"><img src="${finale}" alt="A sphereflake of mirrors among marbles, cast by the code of this course" width="1280" height="720" fetchpriority="high"></figure>
 <div class="lead">
 <h1>Ray casting, step by step</h1>
 <p>Answer the questions of a lecture, in C, one function at a time. Each chapter is a short lesson with figures that you can move, and an

@@ -102,6 +102,7 @@ test("a student's answer", async (t) => {
         await waitFor("all to be judged", async () => /^Loaded 03, 04. Open a chapter/.test(await textOf(start, "#state")));
         assert.match(await textOf(start, "#so-far"), /^4 of 37 functions are right\.$/);
         assert.match(await textOf(start, '.cards li[data-stem="04-pixel-ray"] .done'), /done/);
+        await waitFor("the picture by these", async () => /^Yours, 4 of 37 functions: .*pixel_ray\. By the reference: the others\.$/.test(await textOf(start, "#picture .credit")));
     });
     await t.test("what is no archive changes nothing, and the page says so", async () => {
         writeFileSync(join(scratch, "photo.zip"), "not an archive at all, but long enough");

@@ -1,0 +1,199 @@
+// cast.c - a scene, cast tile by tile by the answers that are linked: a program that stays, and
+// that a Worker calls (cast_worker.js).
+//
+// Its scene is the file scene.nff. Messages go to stderr.
+#include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/light.h"
+#include "chapters/shared/scene_camera.h"
+#include "exercises/06-ray-casting.h"
+#include "exercises/07-shading.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define EXPORTED(name) __attribute__((export_name(#name)))
+
+// By which functions, as tiles.js numbers them.
+typedef enum {
+    BY_TRACE_RAY,    // chapter 07's, ray by ray
+    BY_HIERARCHY,    // the same colours, by chapter 08's engine: for many spheres
+    BY_IMAGE_ORDER,  // chapter 06's two loops, which always cast the whole picture
+    BY_OBJECT_ORDER, //
+    BY_RECTANGLES,   // chapter 08's object order: only in each sphere's rectangle
+} How;
+
+static Scene scene;
+static Image image;         // of the size that was cast last: the tile's, or the whole picture's
+static LightPicture *light; // of this scene
+static Work work;
+static int samples_seen; // of the picture that light looks at; 0: none
+static uint8_t *pixels;  // red, green, blue, opacity: what a canvas takes
+
+// ---- the scene ---------------------------------------------------------------------------------
+
+static void forget(void)
+{
+    light_picture_free(light);
+    light = NULL;
+    samples_seen = 0;
+    scene_free(&scene);
+}
+
+// The viewpoint: from, at, up, angle. The page reads and writes it.
+EXPORTED(view) double *view(void);
+static double numbers[10];
+double *view(void)
+{
+    return numbers;
+}
+
+// False: the message says what is wrong.
+EXPORTED(open_scene) bool open_scene(void);
+bool open_scene(void)
+{
+    Message message;
+    forget();
+    if (!scene_load("scene.nff", &scene, &message)) {
+        fprintf(stderr, "%s\n", message.text);
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        numbers[i] = scene.view.from[i];
+        numbers[3 + i] = scene.view.at[i];
+        numbers[6 + i] = scene.view.up[i];
+    }
+    numbers[9] = scene.view.angle;
+    return true;
+}
+
+static bool find_camera(Resolution screen, Camera *camera)
+{
+    scene.view.from = vec3_of(numbers[0], numbers[1], numbers[2]);
+    scene.view.at = vec3_of(numbers[3], numbers[4], numbers[5]);
+    scene.view.up = vec3_of(numbers[6], numbers[7], numbers[8]);
+    scene.view.angle = numbers[9];
+    CameraFault fault = scene_camera(&scene.view, screen, camera);
+    if (fault != CAMERA_OK)
+        fprintf(stderr, "this is not a camera: %s\n", camera_fault_text(fault));
+    return fault == CAMERA_OK;
+}
+
+// ---- a tile ------------------------------------------------------------------------------------
+
+typedef struct {
+    Rendering rendering;
+    int left, top, right, bottom; // its columns and rows
+} Tile;
+
+static void set_pixel(const Tile *tile, int column, int row, Color color)
+{
+    uint8_t *pixel =
+        pixels + 4 * ((row - tile->top) * (tile->right - tile->left) + column - tile->left);
+    for (int i = 0; i < 3; i++)
+        pixel[i] = byte_from_color(color[i]);
+    pixel[3] = 255;
+}
+
+static void by_trace_ray(const Tile *tile)
+{
+    for (int row = tile->top; row < tile->bottom; row++)
+        for (int column = tile->left; column < tile->right; column++) {
+            Pixel pixel = {column, row};
+            set_pixel(tile, column, row, render_pixel(&tile->rendering, &scene, pixel));
+        }
+}
+
+// ---- the whole picture -------------------------------------------------------------------------
+
+static bool same_camera(const Camera *a, const Camera *b)
+{
+    vec3 change = a->origin - b->origin, turn = a->forward - b->forward, roll = a->up - b->up;
+    return vec3_length(change) + vec3_length(turn) + vec3_length(roll) == 0 &&
+           a->width == b->width && a->height == b->height && a->distance == b->distance;
+}
+
+// The engine looks at a picture once, and then paints its tiles.
+static bool by_hierarchy(const Tile *tile, const Camera *before)
+{
+    Style style = tile->rendering.style;
+    if (light == NULL && (light = light_picture_build(&scene)) == NULL)
+        return false;
+    if (samples_seen != style.samples || !same_camera(before, &work.camera))
+        light_picture_look(light, &work, style);
+    samples_seen = style.samples;
+    return light_picture_paint(light, tile->left, tile->top, tile->right, tile->bottom);
+}
+
+static bool by_object_order(void)
+{
+    double *depth = malloc(sizeof *depth * (size_t)image.size.width * (size_t)image.size.height);
+    if (depth != NULL)
+        cast_object_order(&scene, work.camera, &image, depth);
+    free(depth);
+    return depth != NULL;
+}
+
+// Into the image: all of it, or the tile.
+static bool cast_image(How how, const Tile *tile)
+{
+    Message message;
+    Resolution screen = tile->rendering.screen;
+    Camera before = work.camera;
+    if (image.size.width != screen.width || image.size.height != screen.height) {
+        image_free(&image);
+        samples_seen = 0;
+        if (!image_create(&image, screen, &message))
+            return false;
+    }
+    work = (Work){.scene = &scene, .camera = tile->rendering.camera, .image = &image, .threads = 1};
+    if (how == BY_HIERARCHY)
+        return by_hierarchy(tile, &before);
+    if (how == BY_RECTANGLES)
+        return cast_object(&work, &message);
+    if (how == BY_OBJECT_ORDER)
+        return by_object_order();
+    cast_image_order(&scene, work.camera, &image);
+    return true;
+}
+
+static void copy(const Tile *tile)
+{
+    for (int row = tile->top; row < tile->bottom; row++)
+        for (int column = tile->left; column < tile->right; column++) {
+            const uint8_t *rgb = image_bytes(&image, (Pixel){column, row});
+            set_pixel(tile, column, row, vec3_of(rgb[0], rgb[1], rgb[2]) / 255);
+        }
+}
+
+static bool is_extreme(const Tile *tile)
+{
+    Image whole = {.size = tile->rendering.screen};
+    Work asked = {.scene = &scene, .camera = tile->rendering.camera, .image = &whole};
+    return extreme_light(&asked);
+}
+
+// Casts the columns left to right - 1 and the rows top to bottom - 1 of a picture. NULL: there is
+// no such picture; a message says why, unless the reason is a lack of memory.
+EXPORTED(cast)
+const uint8_t *cast(How how, int width, int height, int samples, int depth, int left, int top,
+                    int right, int bottom);
+const uint8_t *cast(How how, int width, int height, int samples, int depth, int left, int top,
+                    int right, int bottom)
+{
+    Tile tile = {{.screen = {width, height}, .style = {samples, depth, 1}, .trace = trace_scene},
+                 left,
+                 top,
+                 right,
+                 bottom};
+    free(pixels);
+    pixels = malloc(4 * (size_t)(right - left) * (size_t)(bottom - top));
+    if (pixels == NULL || !find_camera(tile.rendering.screen, &tile.rendering.camera))
+        return NULL;
+    if (how == BY_TRACE_RAY || (how == BY_HIERARCHY && is_extreme(&tile)))
+        by_trace_ray(&tile);
+    else if (cast_image(how, &tile))
+        copy(&tile);
+    else
+        return NULL;
+    return pixels;
+}

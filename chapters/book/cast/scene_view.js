@@ -1,0 +1,170 @@
+// scene_view.js - a canvas that shows a scene, cast by a program in a pool of Workers: from coarse to fine, and coarse
+// again while the camera moves. Turned by mouse, finger and key.
+import { BY, Replaced } from "./pool.js";
+import { fly, orbit, readScene, zoom } from "./scene.js";
+
+const FRAME = 28; // milliseconds of a frame while something moves
+const MANY = 60; // spheres, from which on the hierarchy casts a shaded picture
+const KEYS = {
+    ArrowLeft: (view) => orbit(view, -5, 0), ArrowRight: (view) => orbit(view, 5, 0), ArrowUp: (view) => orbit(view, 0, 5), ArrowDown: (view) => orbit(view, 0, -5),
+    "+": (view) => zoom(view, 0.92), "=": (view) => zoom(view, 0.92), "-": (view) => zoom(view, 1 / 0.92),
+    w: (view) => fly(view, 0, 0, 0.05), s: (view) => fly(view, 0, 0, -0.05), a: (view) => fly(view, -0.05, 0, 0), d: (view) => fly(view, 0.05, 0, 0),
+    q: (view) => fly(view, 0, -0.05, 0), e: (view) => fly(view, 0, 0.05, 0),
+};
+
+/**
+ * @typedef {object} Told what the page is told
+ * @property {(view: object) => void} [onView] the camera has moved
+ * @property {(words: string) => void} [onTrouble] why there is no picture; none: there is one
+ * @property {(fine: boolean, milliseconds: number) => void} [onPicture] a picture is complete; not fine: while it moves
+ * @property {(x: number, y: number) => void} [onPixel] a pixel was clicked
+ */
+export class SceneView {
+    /**
+     * @param {HTMLCanvasElement} canvas of the size of the fine picture
+     * @param {import("./pool.js").Pool} pool
+     * @param {{samples?: number, depth?: number} & Told} given samples: in each direction of a pixel, in the end
+     */
+    constructor(canvas, pool, { samples = 1, depth = 5, ...told }) {
+        Object.assign(this, { canvas, pool, samples, depth, told });
+        this.context = canvas.getContext("2d");
+        this.how = BY.TRACE_RAY;
+        this.divided = 4; // a picture that moves has a pixel for so many columns and rows
+        this.version = 0;
+        this.listen();
+    }
+
+    /** From now on another program, or another scene. keepsView: the camera stays where it is. */
+    show({ program = this.program, text = this.text, how = this.how, keepsView = false }) {
+        const isNew = program !== this.program || text !== this.text;
+        Object.assign(this, { program, text, how });
+        if (isNew) {
+            this.scene = readScene(text);
+            this.pool.open(program, text);
+        }
+        if (!keepsView || !this.view)
+            this.view = this.scene.view;
+        return this.draw();
+    }
+
+    /** The camera moves. */
+    look(view) {
+        this.view = view;
+        this.told.onView?.(view);
+        this.draw();
+    }
+
+    /** Draws until the picture is fine, or a newer one begins. */
+    async draw() {
+        const version = ++this.version;
+        if (this.moves) // that goes on with this one
+            return;
+        try {
+            const start = performance.now();
+            await this.drawMoving();
+            for (const pass of this.finer())
+                await this.cast(pass);
+            this.told.onPicture?.(true, performance.now() - start);
+        } catch (reason) {
+            if (reason instanceof Replaced)
+                return;
+            this.told.onTrouble?.(reason.message);
+            if (version !== this.version)
+                this.draw();
+        }
+    }
+
+    /** Coarse pictures, as long as there is a newer one. */
+    async drawMoving() {
+        this.moves = true;
+        try {
+            for (let version = -1; version !== this.version;) {
+                version = this.version;
+                const start = performance.now();
+                await this.cast(this.pass(this.divided));
+                const took = performance.now() - start;
+                this.told.onTrouble?.("");
+                this.told.onPicture?.(false, took);
+                this.divided = took > FRAME ? Math.min(16, 2 * this.divided) : took < FRAME / 6 ? Math.max(2, this.divided / 2) : this.divided;
+                await new Promise((resolve) => requestAnimationFrame(resolve));
+            }
+        } finally {
+            this.moves = false;
+        }
+    }
+
+    pass(divided, samples = 1) {
+        const { width, height } = this.canvas, { from, at, up, angle } = this.view;
+        const how = this.how === BY.TRACE_RAY && this.scene.places.length > MANY ? BY.HIERARCHY : this.how;
+        return { how, width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view: [...from, ...at, ...up, angle] };
+    }
+    finer() {
+        const passes = [];
+        for (let divided = this.divided / 2; divided >= 1; divided /= 2)
+            passes.push(this.pass(divided));
+        return this.samples > 1 && this.how < BY.IMAGE_ORDER ? [...passes, this.pass(1, this.samples)] : passes;
+    }
+
+    /** Tiles of a fine picture appear as they come; those of a coarse one together, or it would tear. */
+    async cast(pass) {
+        const { width, height } = this.canvas, isWhole = pass.width === width && pass.height === height;
+        const small = isWhole ? null : new OffscreenCanvas(pass.width, pass.height).getContext("2d");
+        await this.pool.cast(pass, ({ left, top, right, bottom }, pixels) =>
+            (small ?? this.context).putImageData(new ImageData(pixels, right - left, bottom - top), left, top));
+        if (small)
+            this.context.drawImage(small.canvas, 0, 0, width, height);
+    }
+
+    // ---- mouse, finger, keys -------------------------------------------------------------------
+
+    listen() {
+        const { canvas } = this, pointers = new Map();
+        let far = 0, moved = 0;
+        const apart = () => { const [a, b] = [...pointers.values()]; return Math.hypot(a.x - b.x, a.y - b.y); };
+        canvas.addEventListener("pointerdown", (event) => {
+            if (!this.view)
+                return;
+            canvas.setPointerCapture(event.pointerId);
+            pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+            far = pointers.size === 2 ? apart() : 0;
+            moved = 0;
+        });
+        canvas.addEventListener("pointermove", (event) => {
+            const before = pointers.get(event.pointerId);
+            if (!before)
+                return;
+            const dx = event.clientX - before.x, dy = event.clientY - before.y, turn = 200 / canvas.clientHeight;
+            moved += Math.abs(dx) + Math.abs(dy);
+            pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+            if (pointers.size === 2) {
+                const now = apart();
+                this.look(zoom(this.view, far / now));
+                far = now;
+            } else if (event.shiftKey) {
+                const step = 0.8 / canvas.clientHeight;
+                this.look(fly(this.view, -step * dx, step * dy, 0));
+            } else if (moved > 3) {
+                this.look(orbit(this.view, -turn * dx, turn * dy));
+            }
+        });
+        for (const kind of ["pointerup", "pointercancel"])
+            canvas.addEventListener(kind, (event) => {
+                const box = canvas.getBoundingClientRect();
+                if (pointers.delete(event.pointerId) && kind === "pointerup" && moved <= 3)
+                    this.told.onPixel?.(Math.floor((event.clientX - box.x) / box.width * canvas.width), Math.floor((event.clientY - box.y) / box.height * canvas.height));
+            });
+        canvas.addEventListener("wheel", (event) => {
+            if (!this.view || document.activeElement !== canvas && !event.ctrlKey)
+                return; // the page scrolls, until the picture is chosen
+            event.preventDefault();
+            this.look(zoom(this.view, Math.exp(Math.sign(event.deltaY) * Math.min(0.2, Math.abs(event.deltaY) / 500))));
+        }, { passive: false });
+        canvas.addEventListener("keydown", (event) => {
+            const change = KEYS[event.key];
+            if (!change || !this.view || event.ctrlKey || event.metaKey || event.altKey)
+                return;
+            event.preventDefault();
+            this.look(change(this.view));
+        });
+    }
+}

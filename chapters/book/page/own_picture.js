@@ -1,0 +1,69 @@
+// own_picture.js - the picture of the start page, cast in the page: by the reference, and from the first right answer on
+// by the student's functions.
+import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
+import { Helper } from "../worker_questions.js";
+
+const NAMED = 8; // functions that are named under the picture
+
+function credit(yours, total) {
+    if (yours.length === 0)
+        return "Cast just now, in this page, by the reference: your functions will take its place.";
+    if (yours.length === total)
+        return "Drawn by your own code.";
+    const named = yours.slice(-NAMED), more = yours.length - named.length;
+    return `Yours, ${yours.length} of ${total} functions: ${more > 0 ? `${more} more, ` : ""}${named.join(", ")}. By the reference: the others.`;
+}
+
+/** @returns {() => Promise<void>} to call when answers have changed */
+export function setUpOwnPicture({ place, site, course, answers }) {
+    const still = place.querySelector("img"), total = Object.values(course.functions).flat().length;
+    const canvas = Object.assign(document.createElement("canvas"), { width: 1280, height: 720, tabIndex: 0, hidden: true });
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${still.alt}. Arrow keys turn it, plus and minus go closer and farther away.`);
+    const words = Object.assign(document.createElement("p"), { className: "credit" });
+    words.setAttribute("role", "status");
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Save the picture", hidden: true });
+    button.addEventListener("click", () => save(canvas, "ray-casting.png"));
+    const caption = document.createElement("figcaption");
+    caption.append(words, button);
+    still.after(canvas);
+    place.append(caption);
+
+    let yours = [], shown = "";
+    const view = openView(canvas, site, {
+        samples: 2,
+        onPicture(isFine) {
+            canvas.hidden = false;
+            still.hidden = true;
+            if (isFine)
+                canvas.dataset.fine = "yes";
+            words.textContent = credit(yours, total);
+            button.hidden = !(isFine && yours.length === total);
+        },
+        onView() { delete canvas.dataset.fine; button.hidden = true; },
+        onTrouble(trouble) {
+            if (trouble)
+                words.textContent = `The picture could not be cast: ${trouble}.`;
+        },
+    });
+    async function begin() {
+        const [program, text] = await Promise.all([referenceProgram(site), sceneOf(site, "finale")]);
+        await view.show({ program, text });
+    }
+    const ready = begin();
+    return async function follow() {
+        await ready;
+        const right = answers.right(course.stems), name = JSON.stringify(right);
+        if (name === shown || Object.keys(right).length === 0)
+            return;
+        shown = name;
+        const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
+        const linked = await helper.ask({ do: "program", answers: right }, ({ words: doing, done, all }) => {
+            words.textContent = all > 0 ? `${doing}, ${(done / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB, to draw with your answers.` : words.textContent;
+        }).finally(() => helper.stop("the program is there", false));
+        if (name !== shown)
+            return;
+        yours = linked.yours;
+        await view.show({ program: linked.module, keepsView: true });
+    };
+}
