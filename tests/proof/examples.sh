@@ -36,7 +36,7 @@ with_the_numbers_of() {
 }
 holds_its_numbers() {
     random_example "$1" --lessons | while IFS='	' read -r lesson texts; do
-        echo "$texts" | tr '\t' '\n' | grep -qFf - "$lesson" || { echo "$lesson does not have: ${texts%%	*}"; break; }
+        printf '%s\n' "$texts" | tr '\t' '\n' | grep -qFf - "$lesson" || { echo "$lesson does not have: ${texts%%	*}"; break; }
     done >"$scratch/missing"
     cat "$scratch/missing"
     [ ! -s "$scratch/missing" ]
