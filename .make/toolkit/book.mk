@@ -296,11 +296,9 @@ $(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
 
-# Scenes to cast in a page.
-BOOK_SCENES := $(if $(FROM),,$(patsubst %,$(BOOK)/scenes/%.nff.gz,three-spheres sphereflake-91 sphereflake-820 sunflower finale))
-$(BOOK)/scenes/three-spheres.nff.gz: chapters/06-ray-casting/three-spheres.nff
-$(filter-out %/three-spheres.nff.gz,$(BOOK_SCENES)): $(BOOK)/scenes/%.gz: $(B)/scenes/%
-$(BOOK_SCENES):
+# The scene that the start page casts.
+BOOK_SCENES := $(if $(FROM),,$(BOOK)/scenes/finale.nff.gz)
+$(BOOK_SCENES): $(BOOK)/scenes/%.gz: $(B)/scenes/%
 	$(Q)mkdir -p $(@D)
 	$(Q)gzip -9nc $< > $@
 $(BOOK)/service_worker.js: $(BOOK_SCENES)

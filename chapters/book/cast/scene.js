@@ -1,14 +1,14 @@
-// scene.js - a scene as its text: where its camera, spheres and lights are, and the same text with one of them elsewhere.
+// scene.js - a scene as its text: where its camera, spheres and lights are; and how a viewpoint moves.
 // What is wrong with a text says common/scene.c; here a line that cannot be read counts as absent.
 
 /** @typedef {[number, number, number]} Vector */
 
-export const plus = (a, b) => a.map((x, i) => x + b[i]);
-export const minus = (a, b) => a.map((x, i) => x - b[i]);
-export const times = (s, a) => a.map((x) => s * x);
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-export const unit = (a) => times(1 / Math.sqrt(dot(a, a)), a);
+const plus = (a, b) => a.map((x, i) => x + b[i]);
+const minus = (a, b) => a.map((x, i) => x - b[i]);
+const times = (s, a) => a.map((x) => s * x);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => times(1 / Math.sqrt(dot(a, a)), a);
 
 /**
  * @returns {{lines: string[], view: {from: Vector, at: Vector, up: Vector, angle: number},
@@ -34,42 +34,10 @@ export function readScene(text) {
     return { lines, view, places };
 }
 
-const short = (x) => String(Number(x.toPrecision(5)));
-const numbers = (vector) => vector.map(short).join(" ");
-
-/** The text with the sphere or the light of a line at another place. */
-export function withPlace({ lines }, line, at) {
-    const [, word, rest] = /^\s*(\S+)\s+(?:\S+\s+){2}\S+(.*)$/.exec(lines[line]);
-    return lines.with(line, `${word} ${numbers(at)}${rest}`).join("\n");
-}
-
-/** The text with another viewpoint. */
-export function withView({ lines }, view) {
-    return lines.map((line) => {
-        const word = /^\s*(from|at|up|angle)\b/.exec(line)?.[1];
-        return word === undefined ? line : word === "angle" ? `angle ${short(view.angle)}` : `${word} ${numbers(view[word])}`;
-    }).join("\n");
-}
-
 /** The camera's axes, as chapter 02's solution for right-handed worlds has them. */
 function axes({ from, at, up }) {
     const forward = unit(minus(at, from)), right = unit(cross(forward, up));
     return { forward, right, up: cross(right, forward) };
-}
-
-/** Where a point is on a screen, in pixels; null behind the eye. scale: pixels of a unit there. */
-export function project(view, point, { width, height }) {
-    const { forward, right, up } = axes(view), seen = minus(point, view.from), ahead = dot(seen, forward);
-    if (!(ahead > 0))
-        return null;
-    const scale = width / 2 / Math.tan(view.angle * Math.PI / 360) / ahead;
-    return { x: width / 2 + scale * dot(seen, right), y: height / 2 - scale * dot(seen, up), scale };
-}
-
-/** A point moved by pixels, in the plane through it that faces the eye. */
-export function moved(view, point, dx, dy, screen) {
-    const { right, up } = axes(view), { scale } = project(view, point, screen) ?? { scale: 100 };
-    return plus(point, plus(times(dx / scale, right), times(-dy / scale, up)));
 }
 
 /** The eye on a sphere around what it looks at: degrees to the right, and up. */
