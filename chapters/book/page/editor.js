@@ -1,13 +1,25 @@
 // editor.js - the editor of an answer: CodeMirror with C, saved on each change, errors marked at their lines.
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, indentOnInput, indentUnit, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { c } from "@codemirror/legacy-modes/mode/clike";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Annotation, EditorState } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
 
 const byProgram = Annotation.define();
+
+/** Completes the functions of a contract, each with the comment above it. */
+function completeFrom(contract) {
+    const options = [...contract.matchAll(/((?:^\/\/.*\n)*)^[A-Za-z_][\w *]*?\b(\w+)(\([^;{]*\));/gm)].map(([, comment, label, parameters]) =>
+        ({ label, type: "function", detail: parameters.replace(/\s+/g, " "), info: comment.replace(/^\/\/ ?/gm, "").trim() || undefined }));
+    return (context) => {
+        const word = context.matchBefore(/\w{2,}/);
+        return word || context.explicit ? { from: word?.from ?? context.pos, options, validFor: /^\w*$/ } : null;
+    };
+}
 
 /**
  * @param {object} of
@@ -15,10 +27,11 @@ const byProgram = Annotation.define();
  * @param {URL} of.styles the editor's style sheet
  * @param {string} of.label read aloud
  * @param {string} of.text
+ * @param {string} of.contract the header of the exercise: its functions are completed
  * @param {(text: string) => void} of.onChange the student changed the text
  * @param {() => void} of.onJudge Ctrl-Enter or Cmd-Enter
  */
-export function openEditor({ place, styles, label, text, onChange, onJudge }) {
+export function openEditor({ place, styles, label, text, contract, onChange, onJudge }) {
     // In a shadow root CodeMirror's styles are constructed style sheets, which the site's policy allows.
     const shadow = place.attachShadow({ mode: "open", delegatesFocus: true });
     const link = Object.assign(document.createElement("link"), { rel: "stylesheet", href: styles.href });
@@ -32,8 +45,10 @@ export function openEditor({ place, styles, label, text, onChange, onJudge }) {
             doc: text,
             extensions: [
                 lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection({ cursorBlinkRate: 0 }), indentOnInput(), bracketMatching(),
+                closeBrackets(), highlightSelectionMatches(), autocompletion({ override: [completeFrom(contract)] }),
                 lintGutter(), StreamLanguage.define(c), syntaxHighlighting(classHighlighter), indentUnit.of("    "), EditorState.tabSize.of(4),
-                keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
+                keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap,
+                    ...completionKeymap, ...lintKeymap, indentWithTab]),
                 EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
                 EditorView.updateListener.of((update) => {
                     if (update.docChanged && !update.transactions.some((each) => each.annotation(byProgram)))

@@ -60,9 +60,12 @@ const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({
 })]));
 const shortTitle = (stem) => lessons[stem].title.replace(/^\d\d /, "");
 
+const ABOUT = "Write a ray caster in C, one function at a time: short lessons with figures that move, and a judge that says what is wrong and why. In the browser.";
+
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
     const chapters = stems.map((other) => `<li><a href="${up}${other}.html" data-stem="${other}"${other === stem ? ' aria-current="page"' : ""} ` +
         `title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`).join("");
+    const about = escape(stem ? `You write ${lessons[stem].gives.replaceAll("`", "")}.` : ABOUT);
     return `<!DOCTYPE html>
 <html lang="en" data-up="${up}" data-kind="${kind}"${isHandout ? ' data-figures="static"' : ""}${stem && ` data-stem="${stem}"`}>
 <head>
@@ -71,12 +74,17 @@ function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
 <meta http-equiv="Content-Security-Policy" content="${POLICY}">
 <meta name="color-scheme" content="light dark">
 <title>${escape(title)}</title>
+<meta name="description" content="${about}">
+<meta property="og:title" content="${escape(title)}">
+<meta property="og:description" content="${about}">
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
+<link rel="manifest" href="${up}course.webmanifest">
 <link rel="stylesheet" href="${up}style.css">
 ${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
 <script type="module" src="${up}page.js"></script>
 </head>
 <body>
+<noscript><p class="note">The exercises need JavaScript, which is off. Lessons and figures can be read without it.</p></noscript>
 <a class="skip" href="#main">To the text</a>${kind === "chapter" ? '\n<a class="skip" href="#exercise">To the exercise</a>' : ""}
 <header class="top">
 <a class="home" href="${up}index.html"${kind === "start" ? ' aria-current="page"' : ""}>Ray casting<span>, step by step</span></a>
@@ -84,7 +92,6 @@ ${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<sc
 <div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a><button type="button" id="theme" hidden>Theme</button></div>
 </header>
 ${main}
-<noscript><p class="note">This page needs JavaScript for the exercises. The lessons can be read without it.</p></noscript>
 </body>
 </html>
 `;
@@ -95,6 +102,9 @@ function write(name, text) {
     mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, text);
 }
+
+write("course.webmanifest", JSON.stringify({ name: "Ray casting, step by step", short_name: "Ray casting", description: ABOUT, start_url: "index.html", scope: ".",
+    display: "minimal-ui", background_color: "#ffffff", theme_color: "#005e97", icons: [{ src: "icon.svg", type: "image/svg+xml", sizes: "any" }] }));
 
 // ---- a chapter ----------------------------------------------------------------------------------
 

@@ -72,6 +72,16 @@ test("a student's answer", async (t) => {
         assert.match(await textOf(tab, "#panel-contract"), /03-screen.h/);
         await tab.keyboard.press("ArrowLeft");
     });
+    await t.test("a function of the contract is completed, with its comment; a bracket is closed", async () => {
+        await typeAtEnd(tab, "pixel_c");
+        const shown = (selector) => tab.$eval("#editor", (place, wanted) => place.shadowRoot.querySelector(wanted)?.textContent ?? "", selector);
+        await waitFor("the function", async () => /pixel_center/.test(await shown(".cm-tooltip-autocomplete")));
+        await waitFor("its comment", async () => (await shown(".cm-completionInfo")).length > 20);
+        await tab.keyboard.press("Escape");
+        await tab.keyboard.press("(");
+        assert.match(await editorText(tab), /pixel_c\(\)$/);
+        await typeAtEnd(tab, "//");
+    });
     const mine = await tab.evaluate(() => Object.entries(localStorage).find(([name]) => name.endsWith("03-screen answer"))[1]);
     await tab.close();
 

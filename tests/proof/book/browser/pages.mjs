@@ -33,6 +33,7 @@ test("every page, light and dark, wide and narrow", async () => {
                 await tab.screenshot({ path: join(shots, `${name.replace(/\W/g, "-")}-${width}-${theme}.png`) });
             assert.deepEqual(await seriousFindings(tab), [], `${name}, ${theme}, ${width} pixels`);
         }
+        assert.match(await tab.$eval("meta[name=description]", (each) => each.content), /^(You w|W)rite .{20}/, `${name}: what a shared link shows`);
         assert.deepEqual(tab.faults, [], name);
         await tab.close();
     }
