@@ -145,16 +145,16 @@ drawn(_) = (coarse || balls < all_balls || plane_t < 1 ? "Drawn: " : " ").(coars
     sprintf("%d of %d spheres", balls, all_balls) : "").(plane_t == 1 ? "" : \
     (coarse || balls < all_balls ? ", " : "")."the image plane at t = ".plane_t_text)
 
-# The picture on the image plane, seen from the front: at the upper left of the canvas. After '@seen_flat', '@flat' are places
+# The picture on the image plane, seen from the front: at the upper left of the canvas. After '@seen_front', '@front' are places
 # of the plane in it.
-picture_size = 150.0
-seen_flat = 'corner(i, part) = real(word($plane[i + 1], part)); \
-    side(i, j) = sqrt(sum [part=1:3] (corner(i, part) - corner(j, part))**2); flat_scale = picture_size / most(side(1, 2), side(2, 3)); \
-    flat_right = along_right(corner(1, 1), corner(1, 2), corner(1, 3)); flat_up = along_up(corner(1, 1), corner(1, 2), corner(1, 3))'
-flat = "(24 + flat_scale * (along_right($1,$2,$3) - flat_right)):(height - 112 - flat_scale * (flat_up - along_up($1,$2,$3)))"
-flat_plane = '$plane index 0 using @flat with filledcurves closed fc rgb surface fs solid noborder title "picture",'
-flat_pixels = '$pixels index 0 using @flat:4 with filledcurves closed fc rgb variable fs solid noborder title "picture, pixels",'
-flat_pixel = '$pixel index 0 using @flat with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "picture, pixel",'
-flat_lines = '$grid index 0 using @flat with @hair lc rgb grey title "picture, grid", \
-    $plane index 0 using @flat with @lines lc rgb ink title "picture, frame", \
+front_size = 150.0
+seen_front = 'corner(i, part) = real(word($plane[i + 1], part)); \
+    side(i, j) = sqrt(sum [part=1:3] (corner(i, part) - corner(j, part))**2); front_scale = front_size / most(side(1, 2), side(2, 3)); \
+    front_right = along_right(corner(1, 1), corner(1, 2), corner(1, 3)); front_up = along_up(corner(1, 1), corner(1, 2), corner(1, 3))'
+front = "(24 + front_scale * (along_right($1,$2,$3) - front_right)):(height - 112 - front_scale * (front_up - along_up($1,$2,$3)))"
+front_plane = '$plane index 0 using @front with filledcurves closed fc rgb surface fs solid noborder title "picture",'
+front_pixels = '$pixels index 0 using @front:4 with filledcurves closed fc rgb variable fs solid noborder title "picture, pixels",'
+front_pixel = '$pixel index 0 using @front with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "picture, pixel",'
+front_lines = '$grid index 0 using @front with @hair lc rgb grey title "picture, grid", \
+    $plane index 0 using @front with @lines lc rgb ink title "picture, frame", \
     $once using (24):(height - 96):("the picture") with labels left tc rgb grey title "picture, name"'

@@ -6,7 +6,7 @@ are its outline in the picture. Of the pixels that are drawn, the sphere colours
 %s pixels that are drawn. ", object_name, cells, grid_text)).drawn_text
 steps = 4
 @spheres
-@seen_flat
+@seen_front
 
 plot @behind \
     $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
@@ -21,8 +21,8 @@ plot @behind \
     @step2 $lines using @bold with @ray lc rgb blue title "lines to the eye", \
     @step2 $heads using @vector with vectors head filled size 16,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
-    @flat_plane \
-    @step4 @flat_pixels \
-    @flat_lines, \
+    @front_plane \
+    @step4 @front_pixels \
+    @front_lines, \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

@@ -7,7 +7,7 @@ description = sprintf("The ray of pixel %s of %s goes from the eye through the i
     sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres
-@seen_flat
+@seen_front
 
 plot @patches @behind \
     $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
@@ -22,10 +22,10 @@ plot @patches @behind \
     @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
-    @flat_plane \
-    @step5 @flat_pixels \
-    @step4 @flat_pixel \
-    @flat_lines, \
-    @step2 $pixel index 0 using @flat with @thick lc rgb ink title "picture, outline of the pixel", \
+    @front_plane \
+    @step5 @front_pixels \
+    @step4 @front_pixel \
+    @front_lines, \
+    @step2 $pixel index 0 using @front with @thick lc rgb ink title "picture, outline of the pixel", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels
