@@ -20,7 +20,7 @@ make_slides() {
     python3 chapters/slides/make_slides.py "$@"
 }
 without_latex() {
-    (PATH=$scratch/no-latex && make_slides --ready)
+    env "PATH=$scratch/no-latex" python3 chapters/slides/make_slides.py --ready
 }
 mkdir "$scratch/no-latex" && ln -s "$(python3 -c 'import sys; print(sys.executable)')" "$scratch/no-latex/python3"
 check 'without LaTeX it fails' fails without_latex
@@ -223,7 +223,8 @@ complains_not() {
 check 'no letter is missing' complains_not
 
 # The text of the lecturer's page, and its figure of one's own. Answers and output are in a place of their own.
-sed -n '/^```text$/,/^```$/{/^```/d;p}' chapters/README.md >"$scratch/talk.txt"
+fence="[\`]\{3\}"
+sed -n "/^${fence}text\$/,/^$fence\$/{/^$fence/d;p}" chapters/README.md >"$scratch/talk.txt"
 mkdir "$scratch/my-figures" "$scratch/answers"
 cp solutions/*.c "$scratch/answers"
 {
