@@ -1,6 +1,7 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (judge_worker.js), so the page always answers.
 import { Helper, Stopped } from "../worker_questions.js";
+import { functionsOf, markOf, subjectOf, summary, wayOn } from "./verdict.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
 const FIGURE = 4000; // milliseconds, at most, that the editor and the compiler wait for the first figure
@@ -40,6 +41,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         replace(text) { still.textContent = text; },
         mark(marks) { marked = marks; },
         focus() { still.focus(); },
+        goTo() { still.focus(); },
     };
     if (answers.text(stem) !== null)
         editor.replace(answers.text(stem));
@@ -124,7 +126,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
 
     // ---- judging ---------------------------------------------------------------------------------
 
-    let judged = null, shown = null, running = false, again = false;
+    let judged = null, shown = null, running = false, again = false, subjectName = "";
     let drawn = []; // the figures and pictures in the page
     const isSame = (a, b) => a.length === b.length && a.every((byte, at) => byte === b[at]);
 
@@ -201,7 +203,14 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         }
         $("verdict").classList.toggle("old", editor.text() !== judged);
         document.querySelector(".exercise").classList.add("judged");
-        editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));
+        const functions = functionsOf(verdict.record ?? ""), subject = subjectOf(functions);
+        editor.mark([...(subject ? markOf(subject, text) : []), ...marksOf(verdict.messages ?? "", stem)]);
+        $("summary").replaceChildren(...summary(functions, text, (line) => { choose(tabs[0]); editor.goTo(line); }));
+        $("way-on").replaceChildren(...(verdict.done ? [wayOn(stem, course)] : []));
+        $("verdict").parentElement.classList.toggle("done", verdict.done);
+        if (functions.length > 0 && (subject?.name ?? "") !== subjectName)
+            $("hints").replaceChildren(); // their function is done with
+        subjectName = functions.length > 0 ? subject?.name ?? "" : subjectName;
         shown = verdict;
         drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
         answers.saveJudged(stem, text, verdict);

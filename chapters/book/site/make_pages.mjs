@@ -140,8 +140,10 @@ function exercise(stem) {
 ${unsaved}
 <section class="verdict" aria-labelledby="verdict-title">
 <h3 id="verdict-title">Verdict</h3>
+<div id="summary"></div>
 <div id="verdict" aria-live="polite" aria-atomic="true"><p>Nothing is judged yet. Press <q>Judge</q>, or stop typing for a moment.</p></div>
 <div id="verdict-pictures"></div>
+<p id="way-on"></p>
 <div id="hints" aria-live="polite"></div>
 </section>
 </section>`;
@@ -158,7 +160,7 @@ ${exercise(stem)}
 </main>
 <a class="to-exercise" href="#exercise">To the exercise</a>` }));
 }
-writeFileSync(`${site}-course.json`, JSON.stringify({ stems, functions }));
+writeFileSync(`${site}-course.json`, JSON.stringify({ stems, functions, titles: Object.fromEntries(stems.map((stem) => [stem, lessons[stem].title])) }));
 
 // ---- the start page -----------------------------------------------------------------------------
 

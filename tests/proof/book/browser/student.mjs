@@ -68,11 +68,19 @@ test("chapters done as a student does them", async () => {
         if (stem === "01-corners") {
             await write(right.replaceAll("c.width / 2 * c.right", "c.width * c.right"));
             await verdict("the whole width", /the whole width/);
+            await tab.$eval("#summary .first button", (each) => each.click());
+            await waitFor("the cursor in the line of the function", () => tab.$eval("#editor", (place) =>
+                place.shadowRoot.querySelector(".cm-activeLine")?.textContent.includes("upper_left") && place.shadowRoot.activeElement !== null));
+            assert.match(await textOf("#summary .first"), /the whole width/i, "the cause comes first");
+            assert.deepEqual(await tab.$$eval("#summary .strip li", (all) => all.map((each) => each.dataset.state)), ["wrong", "wrong", "right", "right", "right"]);
             await waitFor("its figure", () => tab.$eval("#verdict-pictures", (place) => place.querySelector("img")?.naturalWidth > 0));
             await shot(`${stem}-mistake`);
         }
         await write(right);
         await verdict(`${stem} is right`, new RegExp(`${stem} +done`));
+        assert.equal(await textOf("#hints"), "", "hints are gone when they are done with");
+        const next = stem < "08" ? readdirSync("solutions").find((name) => name.startsWith(`0${Number(stem.slice(0, 2)) + 1}-`)).slice(0, -2) : "index";
+        assert.equal(await tab.$eval("#way-on a", (each) => each.getAttribute("href")), `${next}.html`, "the way to the next chapter");
         await waitFor("a mark in the list of chapters", async () => (await textOf(`.top nav a[data-stem="${stem}"]`)).includes("done"));
         if (stem < "08") {
             await waitFor("the picture", () => tab.$$eval("#verdict-pictures img", (all) => all.some((each) => each.naturalWidth > 0)));
