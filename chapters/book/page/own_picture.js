@@ -33,14 +33,15 @@ export function setUpOwnPicture({ place, site, course, answers }) {
     const view = openView(canvas, site, {
         samples: 2,
         onPicture(isFine) {
+            canvas.toggleAttribute("data-fine", isFine);
+            button.hidden = !(isFine && yours.length === total);
+            if (canvas.hidden && !isFine)
+                return; // the picture that the page came with is better
             canvas.hidden = false;
             still.hidden = true;
-            if (isFine)
-                canvas.dataset.fine = "yes";
             words.textContent = credit(yours, total);
-            button.hidden = !(isFine && yours.length === total);
         },
-        onView() { delete canvas.dataset.fine; button.hidden = true; },
+        onView() { button.hidden = true; },
         onTrouble(trouble) {
             if (trouble)
                 words.textContent = `The picture could not be cast: ${trouble}.`;
