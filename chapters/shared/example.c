@@ -21,14 +21,24 @@ const char *example_file(void)
     return EXAMPLE_FILE;
 }
 
-// Nearly a frame, as 0.707107 is nearly the root of 1/2: then exactly one. Anything else stays, and
-// is refused (check_example.c).
+// How far lengths are from 1, and angles from right ones.
+static double frame_error(const Camera *c)
+{
+    const double errors[] = {vec3_length(c->right) - 1,   vec3_length(c->up) - 1,
+                             vec3_length(c->forward) - 1, vec3_dot(c->right, c->up),
+                             vec3_dot(c->up, c->forward), vec3_dot(c->forward, c->right)};
+    double most = 0;
+    for (int i = 0; i < 6; i++)
+        most = fmax(most, fabs(errors[i]));
+    return most;
+}
+
+// Nearly a frame, as 0.707107 is nearly the root of 1/2: then exactly one. A frame but for rounding
+// stays, and so does anything else, which is refused (check_example.c).
 static void straighten(Camera *c)
 {
-    const double nearly = 1e-5;
-    if (fabs(vec3_length(c->right) - 1) > nearly || fabs(vec3_length(c->up) - 1) > nearly ||
-        fabs(vec3_length(c->forward) - 1) > nearly || fabs(vec3_dot(c->right, c->up)) > nearly ||
-        fabs(vec3_dot(c->up, c->forward)) > nearly || fabs(vec3_dot(c->forward, c->right)) > nearly)
+    double error = frame_error(c);
+    if (error <= CAMERA_TOLERANCE || error > 1e-5)
         return;
     vec3 forward = vec3_unit(c->forward);
     vec3 right = vec3_unit(c->right - vec3_dot(c->right, forward) * forward);
