@@ -65,7 +65,7 @@ class Lesson:
         lines = Path(self.source).read_text(encoding="utf-8").splitlines()
         text = "".join(self.filled(line, number) + "\n" for number, line in enumerate(lines, 1))
         self.errors += [f"{self.source}: does not use the number '{name}'" for name in self.numbers if name not in self.used]
-        return text if self.marked else in_formulas(text)
+        return in_formulas(text)
 
 
 def main():

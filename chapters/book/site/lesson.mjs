@@ -47,7 +47,9 @@ function typeset(tex, displayMode) {
     const seen = katex.renderToString(tex.replace(MARKED, "\\htmlData{number=$1}{$2}"), settings);
     const read = katex.renderToString(tex.replace(MARKED, (_, name) => `\\text{number:${name.replaceAll("_", "\\_")}}`), { ...settings, output: "mathml" });
     const math = /<math.*<\/math>/s.exec(read)[0].replace(/<annotation.*<\/annotation>/s, "")
-        .replace(/<mtext>number:(\w+)<\/mtext>/g, (_, name) => `<mtext data-number="${name}">${typesetNumber(numbers[name])}</mtext>`);
+        // KaTeX joins texts that stand side by side.
+        .replace(/<mtext>((?:number:\w+?)+)<\/mtext>/g, (_, names) => names.split("number:").slice(1)
+            .map((name) => `<mtext data-number="${name}">${typesetNumber(numbers[name])}</mtext>`).join(""));
     return seen.replace(/<math.*<\/math>/s, () => math);
 }
 
