@@ -17,9 +17,9 @@ const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, En
     ["V", "the film of the slide"], ["T", "light or dark"], ["?", "these keys"]];
 
 /**
- * @param {{slides: string, films: string[], policy: string, isStatic: boolean}} given films: names of those that the site has
+ * @param {{slides: string, films: string[], about: string, policy: string, isStatic: boolean}} given films: names of those that the site has; about: for a shared link
  */
-export function lecturePage({ slides, films, policy, isStatic }) {
+export function lecturePage({ slides, films, about, policy, isStatic }) {
     const withFilms = slides.replace(/ data-film="([^"]*)"/g, (whole, name) => (films.includes(name) ? whole : ""));
     return `<!DOCTYPE html>
 <html lang="en" data-kind="lecture"${isStatic ? ' data-figures="static"' : ""}>
@@ -29,6 +29,7 @@ export function lecturePage({ slides, films, policy, isStatic }) {
 <meta http-equiv="Content-Security-Policy" content="${escape(policy)}">
 <meta name="color-scheme" content="light dark">
 <title>Lecture · Ray casting</title>
+<meta name="description" content="${escape(about)}">
 <link rel="icon" href="icon.svg" type="image/svg+xml">
 <link rel="stylesheet" href="style.css">
 <link rel="stylesheet" href="mathematics.css">

@@ -231,7 +231,7 @@ if (!isHandout) {
     mkdirSync(join(site, "films"), { recursive: true });
     for (const file of films.flatMap((name) => [`${name}/${name}.mp4`, `${name}/${name}-dark.mp4`]).filter((name) => existsSync(join(filmsFolder, name))))
         copyFileSync(join(filmsFolder, file), join(site, "films", file.split("/")[1]));
-    write("lecture.html", lecturePage({ slides, films, policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
+    write("lecture.html", lecturePage({ slides, films, about: ABOUT, policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
 }
 
 // In the order of the lecture, and those that it does not show at the end of their chapter's. A handout has no lecture.
