@@ -11,6 +11,7 @@ import os
 import shutil
 import subprocess
 import sys
+import textwrap
 from collections import namedtuple
 from pathlib import Path
 
@@ -42,6 +43,11 @@ def find(mistakes, name):
         sys.exit(f"make mistake NAME={name}: there is no such mistake. 'make mistakes' lists those with a name; "
                  "others are FUNCTION/ID, as in tests/NN-stem/wrong.c")
     return found[0]
+
+
+def wrapped(words):
+    """For a terminal."""
+    return textwrap.fill(words, 78, initial_indent="  ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
 
 
 def run(*command):
@@ -109,11 +115,16 @@ def picture(file, words):
     return f'<figure><img src="{file}" alt="{html.escape(words)}"><figcaption>{html.escape(words)}</figcaption></figure>'
 
 
+def pair(folder, kind):
+    return (f'<div class="pair">{picture(f"{folder}right-{kind}.png", "expected")}'
+            f'{picture(f"{folder}yours-{kind}.png", "yours")}</div>\n')
+
+
 def figure(name, words):
     return f"""<h2>{name}</h2>
 <figure><picture><source media="(prefers-color-scheme: dark)" srcset="{name}/{name}-dark.svg">
 <img src="{name}/{name}.svg" alt="{html.escape(words)}"></picture></figure>
-<p>As a slide: <a href="{name}/{name}.pdf">light</a>, <a href="{name}/{name}-dark.pdf">dark</a></p>
+<p>For a slide: <a href="{name}/{name}.pdf">light</a>, <a href="{name}/{name}-dark.pdf">dark</a></p>
 """
 
 
@@ -126,14 +137,13 @@ def show(build, name):
     if figures:
         draw(folder, figures)
     body = f"<p>{html.escape(mistake.words)}</p>\n"
-    for kind in kinds:
-        body += f'<div class="pair">{picture(f"right-{kind}.png", "expected")}{picture(f"yours-{kind}.png", "yours")}</div>\n'
+    body += "".join(pair("", kind) for kind in kinds)
     for each in figures:
         body += figure(each, (folder / each / f"{each}.txt").read_text(encoding="utf-8"))
     body += "" if kinds or figures else "<p>No picture and no figure of the lecture shows it: its numbers are too ordinary.</p>"
     page(folder / "index.html", name, body)
-    print(f"{mistake.words}\nPictures that differ: {' '.join(kinds) or 'none'}\nFigures that differ: {' '.join(figures) or 'none'}\n"
-          f"A page: {folder}/index.html; a figure as a slide: {folder}/FIGURE/FIGURE.pdf")
+    print(f"{wrapped(mistake.words)}\nPictures that differ: {' '.join(kinds) or 'none'}\nFigures that differ:\n{wrapped(' '.join(figures) or 'none')}\n"
+          f"A page: {folder}/index.html\nA figure, for a slide: {folder}/FIGURE/FIGURE.pdf")
 
 
 def list_all(build):
@@ -142,11 +152,10 @@ def list_all(build):
         mistake, folder = find(mistakes, name), build / "mistakes/pictures" / name
         folder.mkdir(parents=True, exist_ok=True)
         kinds = casts(build, mistake, folder)
-        body += f"<h2>{name}</h2>\n<p>{html.escape(mistake.words)}</p>\n<div class=\"pair\">"
-        body += "".join(picture(f"pictures/{name}/{who}-{kind}.png", words) for kind in kinds[:1]
-                        for who, words in (("right", "expected"), ("yours", "yours"))) + "</div>\n"
+        body += f"<h2>{name}</h2>\n<p>{html.escape(mistake.words)}</p>\n"
+        body += pair(f"pictures/{name}/", kinds[0]) if kinds else "<p>It is in figures, and in no picture.</p>\n"
         body += f"<p><code>make mistake NAME={name}</code></p>\n"
-        print(f"{name:17} {mistake.stem}  {mistake.words}"[:200])
+        print(f"{name}\n{wrapped(mistake.words)}", flush=True)
     page(build / "mistakes/index.html", "Known mistakes", body)
     print(f"Their pictures: {build}/mistakes/index.html")
 
