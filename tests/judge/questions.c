@@ -223,6 +223,11 @@ static void expect_result(int exercise, const Question *question, const Numbers 
 
 // ---- the questions -----------------------------------------------------------------------------
 
+void questions_of_mistakes(void)
+{
+    table_load_mistakes(&table);
+}
+
 const Numbers *known_result(int exercise, int nth)
 {
     static Numbers right;
@@ -362,6 +367,7 @@ __attribute__((constructor)) static void load_when_chosen(void)
 
 const Question *question_of(const Record *record)
 {
+    table_load_mistakes(&table);
     for (int i = 0; i < table.test_count; i++) {
         const TableTest *test = &table.tests[i];
         if (strcmp(test->function, record->function) == 0 &&

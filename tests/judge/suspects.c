@@ -786,6 +786,7 @@ static void begin(int exercise, bool is_close)
     evidence_end(&evidence);
     memset(laws, 0, sizeof laws);
     is_listening = true;
+    questions_of_mistakes();
     evidence.exercise = exercise;
     evidence.is_close = is_close;
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {

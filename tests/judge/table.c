@@ -19,7 +19,7 @@ typedef struct {
 // The sentences about mistakes are for students who make them, so they cannot be read in the file.
 enum { UNREAD = 0xd5 };
 
-static const char magic[] = "ray casting, table: 5";
+static const char magic[] = "ray casting, table: 4";
 enum { MOST_COUNT = 1 << 24, SMALL = 248, INFINITE = 254, WIDE = 255 };
 
 void *table_grow(void *items, int *count, size_t size)
@@ -147,9 +147,33 @@ const Numbers *question_result(const Question *question, int i)
     return result;
 }
 
-// Which of the results each known mistake gives, and what else only wrong answers need.
-static void carry_mistakes(Stream *stream, Question *question, Numbers right)
+// What a right answer needs.
+static void carry_question(Stream *stream, Question *question)
 {
+    carry_text(stream, &question->given);
+    carry_count(stream, &question->hidden);
+    carry_numbers(stream, &question->arguments);
+    if (stream->reading)
+        question->results = calloc(1, sizeof *question->results);
+    if (question->results == NULL)
+        abort();
+    carry_numbers(stream, &question->results[0]);
+    if (stream->reading)
+        question->expected = numbers_copy(&question->results[0]);
+    carry_differences(stream, &question->expected, &question->results[0]);
+    carry_number(stream, &question->tolerance);
+    carry_numbers(stream, &question->within);
+    carry_count(stream, &question->reasons);
+    carry_count(stream, &question->length_is_free);
+    carry_number(stream, &question->least);
+    carry_number(stream, &question->most);
+    carry_count(stream, &question->is_seen_along_axes);
+}
+
+// What a wrong one needs as well.
+static void carry_mistakes(Stream *stream, Question *question)
+{
+    Numbers right = question->results[0];
     question->results =
         carry_items(stream, question->results, &question->result_count, sizeof right);
     question->differences =
@@ -169,26 +193,6 @@ static void carry_mistakes(Stream *stream, Question *question, Numbers right)
     }
     carry_numbers(stream, &question->corners);
     carry_numbers(stream, &question->facts);
-}
-
-static void carry_question(Stream *stream, Question *question)
-{
-    carry_text(stream, &question->given);
-    carry_count(stream, &question->hidden);
-    carry_numbers(stream, &question->arguments);
-    Numbers right = stream->reading ? (Numbers){0} : question->results[0];
-    carry_numbers(stream, &right);
-    if (stream->reading)
-        question->expected = numbers_copy(&right);
-    carry_differences(stream, &question->expected, &right);
-    carry_number(stream, &question->tolerance);
-    carry_numbers(stream, &question->within);
-    carry_count(stream, &question->reasons);
-    carry_count(stream, &question->length_is_free);
-    carry_number(stream, &question->least);
-    carry_number(stream, &question->most);
-    carry_count(stream, &question->is_seen_along_axes);
-    carry_mistakes(stream, question, right);
 }
 
 static void carry_magic(Stream *stream)
@@ -230,7 +234,16 @@ static bool carry(Stream *stream, Table *table)
     table->tests = carry_items(stream, table->tests, &table->test_count, sizeof *table->tests);
     for (int i = 0; i < table->test_count && !stream->bad; i++)
         carry_test(stream, &table->tests[i]);
-    carry_magic(stream); // it ends as it begins
+    return !stream->bad;
+}
+
+// The second part of the file, which ends as it begins.
+static bool carry_all_mistakes(Stream *stream, Table *table)
+{
+    for (int i = 0; i < table->test_count; i++)
+        for (int k = 0; k < table->tests[i].question_count && !stream->bad; k++)
+            carry_mistakes(stream, &table->tests[i].questions[k]);
+    carry_magic(stream);
     return !stream->bad;
 }
 
@@ -238,6 +251,15 @@ static const char *folder(void)
 {
     const char *wanted = getenv("JUDGE_TABLES");
     return wanted != NULL ? wanted : TABLES;
+}
+
+static void must_be(bool good, const char *stem)
+{
+    if (good)
+        return;
+    fprintf(stderr, "%s/%s.table: cannot be read, or is not a table of this version\n", folder(),
+            stem);
+    exit(2);
 }
 
 // The whole file, which stays in memory. False if it cannot be read.
@@ -255,7 +277,8 @@ static bool read_file(const char *stem, Stream *stream)
     stream->bytes = bytes;
     stream->size = fread(bytes, 1, (size_t)about.st_size, file);
     fclose(file);
-    return stream->size == (size_t)about.st_size;
+    return stream->size == (size_t)about.st_size &&
+           memcmp(stream->bytes + stream->size - sizeof magic, magic, sizeof magic) == 0;
 }
 
 void table_load(const char *stem, Table *table)
@@ -265,17 +288,24 @@ void table_load(const char *stem, Table *table)
     bool good = read_file(stem, &stream) && carry(&stream, table);
     for (int i = 0; good && i < table->test_count; i++)
         good = exercise_number(table->tests[i].function) >= 0;
-    if (good)
-        return;
-    fprintf(stderr, "%s/%s.table: cannot be read, or is not a table of this version\n", folder(),
-            stem);
-    exit(2);
+    must_be(good, stem);
+    table->stem = stem;
+    table->bytes = stream.bytes + stream.next;
+    table->size = stream.size - stream.next;
+}
+
+void table_load_mistakes(Table *table)
+{
+    Stream stream = {.reading = true, .bytes = table->bytes, .size = table->size};
+    if (table->bytes != NULL)
+        must_be(carry_all_mistakes(&stream, table), table->stem);
+    table->bytes = NULL;
 }
 
 bool table_write(const char *path, Table *table)
 {
     Stream stream = {.file = fopen(path, "wb")};
-    bool good = stream.file != NULL && carry(&stream, table);
+    bool good = stream.file != NULL && carry(&stream, table) && carry_all_mistakes(&stream, table);
     if (stream.file != NULL)
         good = fclose(stream.file) == 0 && good;
     if (!good)

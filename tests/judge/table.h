@@ -29,7 +29,7 @@ typedef struct Question {
     double least, most;     // the lengths of a step, or 0
     int is_seen_along_axes; // whether a vector is shown along forward, right and up of the camera
 
-    // Of wrong answers.
+    // Of wrong answers: read by table_load_mistakes.
     int result_count, mistake_count;
     int *of_mistake; // which of the results each known mistake of the function gives
     const unsigned char **differences; // of each result from the right one
@@ -53,13 +53,17 @@ typedef struct {
     int test_count, mistake_count;
     TableTest *tests;
     TableMistake *mistakes;
+    const char *stem;
+    const unsigned char *bytes; // what is not read yet, in memory
+    size_t size;
 } Table;
 
 // From the folder JUDGE_TABLES of the environment, or where make puts them. Exits with 2, and a
 // message, if the stem has no table or it cannot be read.
 void table_load(const char *stem, Table *table);
 
-// Computed from its differences when it is first asked for.
+// The part that right answers do not need. Then the results of mistakes are there.
+void table_load_mistakes(Table *table);
 const Numbers *question_result(const Question *question, int i);
 
 // False if the file cannot be written.
@@ -75,6 +79,9 @@ void *table_grow(void *items, int *count, size_t size);
 // The one that is being asked.
 const Question *question_now(void);
 
+// From now on answers are compared with mistakes and laws.
+void questions_of_mistakes(void);
+
 // The result of the nth mistake of the function for it; nth -1: the right one. A camera that is
 // refused is so for all reasons that are right (numbers.h).
 const Numbers *known_result(int exercise, int nth);
@@ -84,7 +91,7 @@ const Numbers *ask_again(int exercise);
 
 // ---- of a test that has failed -----------------------------------------------------------------
 
-// The question at which it stopped; NULL if that is not known.
+// The question at which it stopped; NULL if that is not known. All of it is read.
 const Question *question_of(const Record *record);
 
 // While it is on, the last answer in each test is kept; at first it is off.
