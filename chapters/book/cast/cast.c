@@ -5,7 +5,6 @@
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/light.h"
 #include "chapters/shared/scene_camera.h"
-#include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
 #include <stdio.h>
@@ -13,17 +12,11 @@
 
 #define EXPORTED(name) __attribute__((export_name(#name)))
 
-// By which functions, as tiles.js numbers them.
-typedef enum {
-    BY_TRACE_RAY,    // chapter 07's, ray by ray
-    BY_HIERARCHY,    // the same colours, by chapter 08's engine: for many spheres
-    BY_IMAGE_ORDER,  // chapter 06's two loops, which always cast the whole picture
-    BY_OBJECT_ORDER, //
-    BY_RECTANGLES,   // chapter 08's object order: only in each sphere's rectangle
-} How;
+// With fewer spheres chapter 07's trace_ray casts, ray by ray.
+#define MANY 60
 
 static Scene scene;
-static Image image;         // of the size that was cast last: the tile's, or the whole picture's
+static Image image;         // the whole picture that was cast last
 static LightPicture *light; // of this scene
 static Work work;
 static int samples_seen; // of the picture that light looks at; 0: none
@@ -103,7 +96,7 @@ static void by_trace_ray(const Tile *tile)
         }
 }
 
-// ---- the whole picture -------------------------------------------------------------------------
+// ---- a tile of a picture that is looked at as a whole ------------------------------------------
 
 static bool same_camera(const Camera *a, const Camera *b)
 {
@@ -112,32 +105,12 @@ static bool same_camera(const Camera *a, const Camera *b)
            a->width == b->width && a->height == b->height && a->distance == b->distance;
 }
 
-// The engine looks at a picture once, and then paints its tiles.
-static bool by_hierarchy(const Tile *tile, const Camera *before)
-{
-    Style style = tile->rendering.style;
-    if (light == NULL && (light = light_picture_build(&scene)) == NULL)
-        return false;
-    if (samples_seen != style.samples || !same_camera(before, &work.camera))
-        light_picture_look(light, &work, style);
-    samples_seen = style.samples;
-    return light_picture_paint(light, tile->left, tile->top, tile->right, tile->bottom);
-}
-
-static bool by_object_order(void)
-{
-    double *depth = malloc(sizeof *depth * (size_t)image.size.width * (size_t)image.size.height);
-    if (depth != NULL)
-        cast_object_order(&scene, work.camera, &image, depth);
-    free(depth);
-    return depth != NULL;
-}
-
-// Into the image: all of it, or the tile.
-static bool cast_image(How how, const Tile *tile)
+// Chapter 08's engine looks at a picture once, and then paints its tiles into the image.
+static bool by_hierarchy(const Tile *tile)
 {
     Message message;
     Resolution screen = tile->rendering.screen;
+    Style style = tile->rendering.style;
     Camera before = work.camera;
     if (image.size.width != screen.width || image.size.height != screen.height) {
         image_free(&image);
@@ -146,14 +119,12 @@ static bool cast_image(How how, const Tile *tile)
             return false;
     }
     work = (Work){.scene = &scene, .camera = tile->rendering.camera, .image = &image, .threads = 1};
-    if (how == BY_HIERARCHY)
-        return by_hierarchy(tile, &before);
-    if (how == BY_RECTANGLES)
-        return cast_object(&work, &message);
-    if (how == BY_OBJECT_ORDER)
-        return by_object_order();
-    cast_image_order(&scene, work.camera, &image);
-    return true;
+    if (light == NULL && (light = light_picture_build(&scene)) == NULL)
+        return false;
+    if (samples_seen != style.samples || !same_camera(&before, &work.camera))
+        light_picture_look(light, &work, style);
+    samples_seen = style.samples;
+    return light_picture_paint(light, tile->left, tile->top, tile->right, tile->bottom);
 }
 
 static void copy(const Tile *tile)
@@ -175,10 +146,10 @@ static bool is_extreme(const Tile *tile)
 // Casts the columns left to right - 1 and the rows top to bottom - 1 of a picture. NULL: there is
 // no such picture; a message says why, unless the reason is a lack of memory.
 EXPORTED(cast)
-const uint8_t *cast(How how, int width, int height, int samples, int depth, int left, int top,
-                    int right, int bottom);
-const uint8_t *cast(How how, int width, int height, int samples, int depth, int left, int top,
-                    int right, int bottom)
+const uint8_t *cast(int width, int height, int samples, int depth, int left, int top, int right,
+                    int bottom);
+const uint8_t *cast(int width, int height, int samples, int depth, int left, int top, int right,
+                    int bottom)
 {
     Tile tile = {{.screen = {width, height}, .style = {samples, depth, 1}, .trace = trace_scene},
                  left,
@@ -189,9 +160,9 @@ const uint8_t *cast(How how, int width, int height, int samples, int depth, int 
     pixels = malloc(4 * (size_t)(right - left) * (size_t)(bottom - top));
     if (pixels == NULL || !find_camera(tile.rendering.screen, &tile.rendering.camera))
         return NULL;
-    if (how == BY_TRACE_RAY || (how == BY_HIERARCHY && is_extreme(&tile)))
+    if (scene.sphere_count < MANY || is_extreme(&tile))
         by_trace_ray(&tile);
-    else if (cast_image(how, &tile))
+    else if (by_hierarchy(&tile))
         copy(&tile);
     else
         return NULL;

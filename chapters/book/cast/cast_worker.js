@@ -19,19 +19,22 @@ function check(isGood) {
         throw new Error(new TextDecoder().decode(system.stderr.contents()).trim().split("\n").at(-1).replace(/^scene\.nff:/, "line ") || "there is not enough memory");
 }
 
-function cast({ view, how, width, height, samples, depth, left, top, right, bottom }) {
-    new Float64Array(instance.exports.memory.buffer, instance.exports.view(), 10).set(view);
-    const at = instance.exports.cast(how, width, height, samples, depth, left, top, right, bottom);
+/** view: ten numbers (cast.c); none: the scene's own. */
+function cast({ view, width, height, samples, depth, left, top, right, bottom }) {
+    const numbers = () => new Float64Array(instance.exports.memory.buffer, instance.exports.view(), 10);
+    if (view)
+        numbers().set(view);
+    const at = instance.exports.cast(width, height, samples, depth, left, top, right, bottom);
     check(at !== 0);
-    return new Uint8ClampedArray(instance.exports.memory.buffer, at, 4 * (right - left) * (bottom - top)).slice();
+    return { pixels: new Uint8ClampedArray(instance.exports.memory.buffer, at, 4 * (right - left) * (bottom - top)).slice(), view: [...numbers()] };
 }
 
 addEventListener("message", ({ data: { opened, tile } }) => {
     try {
         if (opened)
             open(opened);
-        const pixels = cast(tile);
-        postMessage({ pixels }, [pixels.buffer]);
+        const done = cast(tile);
+        postMessage(done, [done.pixels.buffer]);
     } catch (reason) {
         instance = null;
         const isTrap = !(reason instanceof Error) || reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError;

@@ -1,20 +1,17 @@
 // pool.js - a pool of Workers that cast a picture tile by tile. Nothing is shared: each has its own instance of the program.
 
-/** As cast.c numbers them. */
-export const BY = { TRACE_RAY: 0, HIERARCHY: 1, IMAGE_ORDER: 2, OBJECT_ORDER: 3, RECTANGLES: 4 };
 const LONGEST = 30_000; // milliseconds for a tile; a wrong answer may need any time, a busy machine more than an idle one
 const TILE = { width: 64, height: 48 };
 
 /** The picture was stopped: there is another one, or a new scene. */
 export class Replaced extends Error {}
 
-/** The tiles of a pass, in reading order; chapter 06's loops cast the whole picture. */
+/** The tiles of a pass, in reading order. */
 function tilesOf(pass) {
-    const { how, width, height } = pass, isWhole = how >= BY.IMAGE_ORDER, tiles = [];
-    const wide = isWhole ? width : TILE.width, high = isWhole ? height : TILE.height;
-    for (let top = 0; top < height; top += high)
-        for (let left = 0; left < width; left += wide)
-            tiles.push({ ...pass, left, top, right: Math.min(width, left + wide), bottom: Math.min(height, top + high) });
+    const { width, height } = pass, tiles = [];
+    for (let top = 0; top < height; top += TILE.height)
+        for (let left = 0; left < width; left += TILE.width)
+            tiles.push({ ...pass, left, top, right: Math.min(width, left + TILE.width), bottom: Math.min(height, top + TILE.height) });
     return tiles;
 }
 
@@ -44,8 +41,8 @@ export class Pool {
 
     /**
      * Casts one picture, and stops the one before.
-     * @param {{how: number, width: number, height: number, samples: number, depth: number, view: number[]}} pass
-     * @param {(tile: object, pixels: Uint8ClampedArray) => void} onTile
+     * @param {{width: number, height: number, samples: number, depth: number, view: number[] | null}} pass
+     * @param {(tile: object, pixels: Uint8ClampedArray, view: number[]) => void} onTile
      * @returns {Promise<void>} when all of it is there
      */
     cast(pass, onTile) {
@@ -80,7 +77,7 @@ export class Pool {
         each.opened = this.opened;
     }
 
-    hear(each, { pixels, failed }) {
+    hear(each, { pixels, view, failed }) {
         const { tile, picture } = each;
         clearTimeout(each.timer);
         each.tile = null;
@@ -91,7 +88,7 @@ export class Pool {
                 this.picture = null;
                 picture.reject(new Error(failed));
             } else {
-                picture.onTile(tile, pixels);
+                picture.onTile(tile, pixels, view);
                 if (--picture.left === 0) {
                     this.picture = null;
                     picture.resolve();

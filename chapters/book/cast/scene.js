@@ -1,5 +1,4 @@
-// scene.js - a scene as its text: where its camera, spheres and lights are; and how a viewpoint moves.
-// What is wrong with a text says common/scene.c; here a line that cannot be read counts as absent.
+// scene.js - how the viewpoint of a scene moves.
 
 /** @typedef {[number, number, number]} Vector */
 
@@ -10,29 +9,11 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => times(1 / Math.sqrt(dot(a, a)), a);
 
-/**
- * @returns {{lines: string[], view: {from: Vector, at: Vector, up: Vector, angle: number},
- *            places: {line: number, kind: "sphere" | "light", at: Vector, radius: number, name: string}[]}}
- */
-export function readScene(text) {
-    const lines = text.split("\n"), view = { from: [0, 0, 5], at: [0, 0, 0], up: [0, 1, 0], angle: 45 }, places = [];
-    const counts = { sphere: 0, light: 0 };
-    lines.forEach((line, number) => {
-        const [word, ...numbers] = line.replace(/#.*/, "").trim().split(/\s+/), values = numbers.map(Number);
-        if (values.some(Number.isNaN))
-            return;
-        if (word === "angle")
-            view.angle = values[0];
-        else if (["from", "at", "up"].includes(word))
-            view[word] = values.slice(0, 3);
-        else if (word === "s" || word === "l") {
-            const kind = word === "s" ? "sphere" : "light", count = counts[kind]++;
-            places.push({ line: number, kind, at: values.slice(0, 3), radius: values[3] ?? 0,
-                name: kind === "light" ? `light ${count + 1}` : `sphere ${count < 26 ? String.fromCharCode(65 + count) : count + 1}` });
-        }
-    });
-    return { lines, view, places };
-}
+/** @typedef {{from: Vector, at: Vector, up: Vector, angle: number}} View */
+
+/** @returns {View} of the ten numbers of cast.c */
+export const viewOf = (numbers) => ({ from: numbers.slice(0, 3), at: numbers.slice(3, 6), up: numbers.slice(6, 9), angle: numbers[9] });
+export const numbersOf = ({ from, at, up, angle }) => [...from, ...at, ...up, angle];
 
 /** The camera's axes, as chapter 02's solution for right-handed worlds has them. */
 function axes({ from, at, up }) {

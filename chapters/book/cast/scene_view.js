@@ -1,10 +1,9 @@
 // scene_view.js - a canvas that shows a scene, cast by a program in a pool of Workers: from coarse to fine, and coarse
 // again while the camera moves. Turned by mouse, finger and key.
-import { BY, Replaced } from "./pool.js";
-import { fly, orbit, readScene, zoom } from "./scene.js";
+import { Replaced } from "./pool.js";
+import { fly, numbersOf, orbit, viewOf, zoom } from "./scene.js";
 
 const FRAME = 28; // milliseconds of a frame while something moves
-const MANY = 60; // spheres, from which on the hierarchy casts a shaded picture
 const KEYS = {
     ArrowLeft: (view) => orbit(view, -5, 0), ArrowRight: (view) => orbit(view, 5, 0), ArrowUp: (view) => orbit(view, 0, 5), ArrowDown: (view) => orbit(view, 0, -5),
     "+": (view) => zoom(view, 0.92), "=": (view) => zoom(view, 0.92), "-": (view) => zoom(view, 1 / 0.92),
@@ -17,7 +16,6 @@ const KEYS = {
  * @property {(view: object) => void} [onView] the camera has moved
  * @property {(words: string) => void} [onTrouble] why there is no picture; none: there is one
  * @property {(fine: boolean, milliseconds: number) => void} [onPicture] a picture is complete; not fine: while it moves
- * @property {(x: number, y: number) => void} [onPixel] a pixel was clicked
  */
 export class SceneView {
     /**
@@ -28,22 +26,17 @@ export class SceneView {
     constructor(canvas, pool, { samples = 1, depth = 5, ...told }) {
         Object.assign(this, { canvas, pool, samples, depth, told });
         this.context = canvas.getContext("2d");
-        this.how = BY.TRACE_RAY;
         this.divided = 4; // a picture that moves has a pixel for so many columns and rows
         this.version = 0;
         this.listen();
     }
 
     /** From now on another program, or another scene. keepsView: the camera stays where it is. */
-    show({ program = this.program, text = this.text, how = this.how, keepsView = false }) {
-        const isNew = program !== this.program || text !== this.text;
-        Object.assign(this, { program, text, how });
-        if (isNew) {
-            this.scene = readScene(text);
-            this.pool.open(program, text);
-        }
-        if (!keepsView || !this.view)
-            this.view = this.scene.view;
+    show({ program = this.program, text = this.text, keepsView = false }) {
+        Object.assign(this, { program, text });
+        this.pool.open(program, text);
+        if (!keepsView)
+            this.view = null; // until the first tile says it
         return this.draw();
     }
 
@@ -94,23 +87,25 @@ export class SceneView {
     }
 
     pass(divided, samples = 1) {
-        const { width, height } = this.canvas, { from, at, up, angle } = this.view;
-        const how = this.how === BY.TRACE_RAY && this.scene.places.length > MANY ? BY.HIERARCHY : this.how;
-        return { how, width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view: [...from, ...at, ...up, angle] };
+        const { width, height } = this.canvas, view = this.view && numbersOf(this.view);
+        return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view };
     }
+
     finer() {
         const passes = [];
         for (let divided = this.divided / 2; divided >= 1; divided /= 2)
             passes.push(this.pass(divided));
-        return this.samples > 1 && this.how < BY.IMAGE_ORDER ? [...passes, this.pass(1, this.samples)] : passes;
+        return this.samples > 1 ? [...passes, this.pass(1, this.samples)] : passes;
     }
 
     /** Tiles of a fine picture appear as they come; those of a coarse one together, or it would tear. */
     async cast(pass) {
         const { width, height } = this.canvas, isWhole = pass.width === width && pass.height === height;
         const small = isWhole ? null : new OffscreenCanvas(pass.width, pass.height).getContext("2d");
-        await this.pool.cast(pass, ({ left, top, right, bottom }, pixels) =>
-            (small ?? this.context).putImageData(new ImageData(pixels, right - left, bottom - top), left, top));
+        await this.pool.cast(pass, ({ left, top, right, bottom }, pixels, view) => {
+            this.view ??= viewOf(view);
+            (small ?? this.context).putImageData(new ImageData(pixels, right - left, bottom - top), left, top);
+        });
         if (small)
             this.context.drawImage(small.canvas, 0, 0, width, height);
     }
@@ -148,11 +143,7 @@ export class SceneView {
             }
         });
         for (const kind of ["pointerup", "pointercancel"])
-            canvas.addEventListener(kind, (event) => {
-                const box = canvas.getBoundingClientRect();
-                if (pointers.delete(event.pointerId) && kind === "pointerup" && moved <= 3)
-                    this.told.onPixel?.(Math.floor((event.clientX - box.x) / box.width * canvas.width), Math.floor((event.clientY - box.y) / box.height * canvas.height));
-            });
+            canvas.addEventListener(kind, (event) => pointers.delete(event.pointerId));
         canvas.addEventListener("wheel", (event) => {
             if (!this.view || document.activeElement !== canvas && !event.ctrlKey)
                 return; // the page scrolls, until the picture is chosen
