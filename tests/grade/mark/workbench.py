@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+import signal
 import time
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -36,6 +37,7 @@ def read_report(path: Path, names: list[str]) -> dict[str, dict[str, str]]:
 
 
 STEP_SECONDS = 900     # a step of a submission; each of its parts has its own limit, which is far lower
+TOO_LARGE = 128 + signal.SIGXFSZ
 STEPS = {"compile": "compiling", "link": "linking", "judge": "judging"}
 
 
@@ -81,6 +83,15 @@ class Workbench:
         found = read_report(self.folder / f"{stem}.d" / "report", names)
         return {name: found[name] for name in names}
 
+    def _made(self, command: Command, status: int) -> int:
+        """The status. What was not made, or is too large, counts as SIGXFSZ; what failed leaves no file."""
+        path = self.folder / command.makes
+        if status == 0 and not (path.exists() and path.stat().st_size <= command.most):
+            status = TOO_LARGE
+        if status != 0:
+            path.unlink(missing_ok=True)
+        return status
+
     def _run(self, step: str, commands: list[Command], confined, environment: dict[str, str]) -> dict[str, int]:
         """By name, the exit status of each part. A part that was killed, or that our own programs gave up on, is
         the grader's failure."""
@@ -95,8 +106,10 @@ class Workbench:
         ended = [line.split() for line in lines[:-1]]
         if lines[-1:] != ["end"] or [name for name, _ in ended] != [command.name for command in commands]:
             raise GraderFailed(f"{STEPS[step]} ended early{complaint(complaints)}")
-        for command, (name, status) in zip(commands, ended):
-            if int(status) not in command.expected:
-                raise GraderFailed(f"{STEPS[step]} {name} ended with {ending(int(status))}"
+        statuses = [self._made(command, int(status)) if command.makes else int(status)
+                    for command, (_, status) in zip(commands, ended)]
+        for command, status in zip(commands, statuses):
+            if status not in command.expected:
+                raise GraderFailed(f"{STEPS[step]} {command.name} ended with {ending(status)}"
                                    f"{complaint(complaints)}")
-        return {name: int(status) for name, status in ended}
+        return {command.name: status for command, status in zip(commands, statuses)}
