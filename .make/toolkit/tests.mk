@@ -131,9 +131,9 @@ $(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_n
 
 # The deck's figures by known mistakes: a program for each chapter that has figures.
 SWITCHED := $(STEMS:%=$(B)/tests/switched/%.o)
-$(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c $$(call exact_of,$$*) $(B)/weak.h $(B)/flags.mk
+$(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/weak.h $(B)/flags.mk
 	$(Q)mkdir -p $(@D)
-	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include $(call exact_of,$*) -o $@ $<
+	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include solutions/$*.c -o $@ $<
 MISTAKEN := $(patsubst %,$(B)/tests/mistaken/%,$(sort $(foreach figure,$(FIGURE_NAMES),$(call stem_of,$(figure)))))
 $(MISTAKEN): $(B)/tests/mistaken/%: $(B)/tests/proof/mistaken_figures.o $$(call chapter_objects,$$*) $(call known,wrong) \
 		$(TESTING) $(filter-out $(REFERENCES),$(CALLED)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a
