@@ -96,6 +96,7 @@ class Grader:
         """When it is clear that there is something to mark, and nobody else does."""
         self.seed = seed_of_class(self.out, self.wanted_seed)
         self.verdicts(False).begin()
+        files.clear(str(self.out / files.ANSWERS))
 
     def circumstances(self) -> str:
         """Changes with everything but the answers that verdicts depend on."""

@@ -34,6 +34,7 @@ class Verdicts:
         for other in self.top.iterdir():
             if other != self.folder:
                 shutil.rmtree(other, ignore_errors=True)
+        files.clear(str(self.folder))
 
     def name(self, stem: str, text: bytes) -> str:
         return f"{stem}-{hashlib.sha256(text).hexdigest()}"

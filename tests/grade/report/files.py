@@ -3,7 +3,7 @@
 A file is written beside its place and then renamed, so a reader, or a grader that was killed, finds
 the older one or the new one and nothing between. results.json comes last: where it is, all is.
 """
-import glob
+import contextlib
 import json
 import os
 import secrets
@@ -15,15 +15,17 @@ from .html import class_page, submission_page
 STALE = 3600  # seconds; what is older was left by a grader that was killed
 
 
+def clear(folder: str) -> None:
+    """Away with what a killed grader left of files."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:   # another grader may be there first
+        for entry in entries:
+            if (entry.name.startswith(".") and entry.name.endswith(".new")
+                    and time.time() - entry.stat(follow_symlinks=False).st_mtime > STALE):
+                os.unlink(entry.path)
+
+
 def put(folder: str, name: str, content) -> None:
     data = content if isinstance(content, bytes) else content.encode("utf-8")
-    pattern = os.path.join(glob.escape(folder), f".{name}.*.new")
-    for left in glob.glob(pattern):
-        try:
-            if time.time() - os.lstat(left).st_mtime > STALE:
-                os.unlink(left)
-        except OSError:
-            pass  # another grader was there first
     new = os.path.join(folder, f".{name}.{secrets.token_hex(6)}.new")
     try:
         with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), "wb") as file:
@@ -38,6 +40,7 @@ def put(folder: str, name: str, content) -> None:
 def write_submission(record: dict, folder_path: str) -> None:
     """index.html and results.json, in the folder that already holds the record's pictures."""
     os.makedirs(folder_path, exist_ok=True)
+    clear(folder_path)
     page, results = submission_page(record, folder_path), results_json(record)
     put(folder_path, "index.html", page)
     put(folder_path, "results.json", results)
@@ -65,6 +68,7 @@ def write_class(records: list, out_path: str, history=(), figures=()) -> None:
     """history: the changes of marks, the oldest first. figures: files in the folder 'figures', '' or one for each of
     most_made(records)."""
     os.makedirs(out_path, exist_ok=True)
+    clear(out_path)
     reports = {"grades.csv": grades_csv, "junit.xml": junit_xml,
                "index.html": lambda records: class_page(records, history, figures)}
     for name, report in reports.items():
