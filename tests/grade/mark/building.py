@@ -79,11 +79,9 @@ def compiled(bench: Workbench, stems: list[str]) -> dict[str, int]:
 
 def name_the_assembler_s_file(bench: Workbench, stem: str) -> None:
     """It speaks of a file whose name is drawn at random, and whose place is the sandbox's."""
-    with open(bench.folder / f"{stem}.words", "r+b") as file:
-        words = re.sub(rb"(?m)^/.*/cc[A-Za-z0-9]*\.s:", f"{stem}.s:".encode(), file.read(MOST_EXPLAINED))
-        file.seek(0)
-        file.write(words)
-        file.truncate()
+    path = bench.folder / f"{stem}.words"
+    words = path.read_bytes()[:MOST_EXPLAINED]
+    path.write_bytes(re.sub(rb"(?m)^/.*/cc[A-Za-z0-9]*\.s:", f"{stem}.s:".encode(), words))
 
 
 def linked(bench: Workbench, commands: dict[str, Command], right: Callable[[str], Command]) -> dict[str, int]:

@@ -110,9 +110,6 @@ class Grader:
     def verdicts(self, again: bool) -> Verdicts:
         return Verdicts(self.out / ".verdicts", self.circumstances(), frozenset(self.again_stems if again else ()))
 
-    def is_again(self, submission: Submission) -> bool:
-        return self.again is None or submission.folder in self.again
-
     def place(self, submission: Submission) -> Path:
         return self.out / submission.folder
 
@@ -161,7 +158,7 @@ class Grader:
         if collected.status == UNREADABLE:
             return self.give_up_on(submission, collected.words)
         when = policies.came_in(self.policy, submission, collected)
-        key, again = self.key(collected), self.is_again(submission)
+        key, again = self.key(collected), self.again is None or submission.folder in self.again
         old = self.record(submission)
         if old is not None and old.get("key") == key and not again:
             return self.price_again(submission, old, when)

@@ -86,20 +86,17 @@ def late(records: list) -> list:
     return [f"Late, or nobody knows when: {len(those)}"] + wrapped("", named, 6)
 
 
-def reasons(records: list) -> list:
+def reasons(records: list, reason: str = "words") -> list:
     lines = []
     for record in records:
-        lines += wrapped("", f"{record['submission']}: {record['words']}", 2)
+        lines += wrapped("", f"{record['submission']}: {record[reason]}", 2)
     return lines
 
 
 def unlisted(records: list) -> list:
     """Whose owner is not on the list of the class, or not known."""
     those = [record for record in records if record["unlisted"]]
-    lines = [f"Of nobody on the list: {len(those)}"] if those else []
-    for record in those:
-        lines += wrapped("", f"{record['submission']}: {record['unlisted']}", 2)
-    return lines
+    return [f"Of nobody on the list: {len(those)}"] + reasons(those, "unlisted") if those else []
 
 
 def unread(records: list) -> list:
