@@ -5,10 +5,13 @@
 // Usage: node figures.test.mjs, after make book
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync, readdirSync } from "node:fs";
-import { inflateSync } from "node:zlib";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { loadFigures } from "../../../chapters/book/figure.js";
 
+const scratch = mkdtempSync(join(tmpdir(), "figures-"));
+process.on("exit", () => rmSync(scratch, { recursive: true }));
 const moduleOf = (bytes) => new WebAssembly.Module(bytes);
 const figures = await loadFigures({ gnuplot: moduleOf(execFileSync("xz", ["-dc", "build/book/figures/gnuplot.wasm.xz"], { maxBuffer: 1 << 24 })),
     files: JSON.parse(readFileSync("build/book/figures/files.json", "utf8")) });
@@ -21,36 +24,6 @@ function programOf(stem) {
 
 // ---- pictures -----------------------------------------------------------------------------------
 
-/** The pixels of a PNG of 8 bits: RGB, or by a palette. */
-function pixelsOf(png) {
-    const data = [];
-    let header, palette;
-    for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
-        const part = png.subarray(at + 8, at + 8 + png.readUInt32BE(at)), kind = png.toString("latin1", at + 4, at + 8);
-        if (kind === "IHDR")
-            header = part;
-        else if (kind === "PLTE")
-            palette = part;
-        else if (kind === "IDAT")
-            data.push(part);
-    }
-    const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)], bytes = header[9] === 2 ? 3 : 1;
-    assert.ok(header[8] === 8 && (header[9] === 2 || header[9] === 3), `a PNG of depth ${header[8]}, kind ${header[9]}`);
-    const rows = inflateSync(Buffer.concat(data)), long = width * bytes, out = Buffer.alloc(height * long);
-    for (let y = 0; y < height; y++) {
-        const filter = rows[y * (long + 1)];
-        for (let x = 0; x < long; x++) {
-            const left = x >= bytes ? out[y * long + x - bytes] : 0, up = y > 0 ? out[(y - 1) * long + x] : 0;
-            const corner = x >= bytes && y > 0 ? out[(y - 1) * long + x - bytes] : 0, guess = left + up - corner;
-            const [a, b, c] = [left, up, corner].map((each) => Math.abs(guess - each));
-            const paeth = a <= b && a <= c ? left : b <= c ? up : corner;
-            out[y * long + x] = rows[y * (long + 1) + 1 + x] + [0, left, up, (left + up) >> 1, paeth][filter];
-        }
-    }
-    const rgb = palette ? Buffer.concat([...out].map((i) => palette.subarray(3 * i, 3 * i + 3))) : out;
-    return { width, height, rgb };
-}
-
 const IMAGE = /<image ([^>]*)xlink:href='data:image\/png;base64,([^']*)'\/>(\n<\/g>)?/g;
 
 function compare(drawn, shown, what) {
@@ -58,8 +31,12 @@ function compare(drawn, shown, what) {
     assert.equal(mine.length, theirs.length, `${what}: pictures`);
     mine.forEach(([, place, base64], i) => {
         assert.equal(place, theirs[i][1], `${what}: the place of picture ${i + 1}`);
-        const [a, b] = [base64, theirs[i][2]].map((text) => pixelsOf(Buffer.from(text, "base64")));
-        assert.ok(a.width === b.width && a.height === b.height && a.rgb.equals(b.rgb), `${what}: picture ${i + 1}`);
+        const paths = [base64, theirs[i][2]].map((text, k) => {
+            const path = join(scratch, `${k}.png`);
+            writeFileSync(path, Buffer.from(text, "base64"));
+            return path;
+        });
+        execFileSync("python3", ["-B", "tests/house/figures/png.py", ...paths], { stdio: "inherit" });
     });
     const [a, b] = [drawn, shown].map((svg) => svg.replace(IMAGE, "<image>").split("\n"));
     const at = a.findIndex((line, i) => line !== b[i]);
