@@ -814,14 +814,16 @@ EXTRA_TEST(sphere_roots, a_small_sphere_far_away_is_met_at_the_right_t)
                         ROOT_TOLERANCE * 5);
 }
 
-EXTRA_TEST(sphere_roots, a_small_sphere_far_away_is_hit_or_missed_by_a_ten_millionth)
+EXTRA_TEST(sphere_roots, a_small_sphere_is_hit_or_missed_by_little_also_far_away)
 {
-    double ahead[] = {1234567, 2345677, 3456789, 7654321, 9876543};
-    for (int i = 0; i < 5; i++) {
-        expect_meetings(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7)), no_roots, 0);
-        given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7)));
+    // A ten millionth of the radius; close to the eye, less than a millionth of that.
+    const double ahead[] = {1234567, 2345677, 3456789, 7654321, 9876543, 10, 11};
+    for (int i = 0; i < 7; i++) {
+        const double little = ahead[i] < 100 ? 1e-13 : 1e-7;
+        expect_meetings(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - little)), no_roots, 0);
+        given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + little)));
         given("looking at", "the number of roots");
-        expect_int(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7))).count, 2);
+        expect_int(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + little))).count, 2);
     }
 }
 

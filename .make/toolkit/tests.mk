@@ -172,7 +172,7 @@ accept: $(FOR_CHECKS) $$(READY) ##+ what the transcripts' commands print is now 
 		$(findstring $(T),$(text)),$(text)),$(text)))
 .PHONY: accept
 
-# The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
+# The tests that need longer: a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 # PROOFS='exact seeds': only these of tests/proof/.
