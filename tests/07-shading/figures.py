@@ -134,74 +134,6 @@ checks.that("the highlight is on the shiny sphere, not on the ground", red > 2 *
 own, words = pointed_at("alone and dull", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 1 0 1\n")
 checks.that("alone and dull: neither", not words, str(words))
 
-# ---- a surface that hits itself ---------------------------------------------------------------------
-
-figure = Figure("07-shading", "self-hit")
-(px, py, pz, vx, vy, vz), = figure.block("seen_1")
-v = unit((vx, vy, vz))
-b = dot((px, py, pz), v)
-hit = plus((px, py, pz), v, -b - math.sqrt(b * b - dot((px, py, pz), (px, py, pz)) + 1))
-checks.same("the ray ends on the sphere", [px + vx, py + vy, pz + vz], list(hit))
-(*at, nx, ny, nz), = figure.block("normal")
-checks.same("the normal is along the point itself, of a unit sphere around the origin",
-            list(unit((nx, ny, nz))), list(hit))
-(*_, ox, oy, oz), = figure.block("offset")
-size = math.sqrt(ox * ox + oy * oy + oz * oz)
-checks.that("the real start is off by 2^-32 to 2^-28 of the radius", 2 ** -32 <= size <= 2 ** -28, str(size))
-checks.that("outward", abs(dot((ox, oy, oz), hit) / size - 1) < 1e-6)
-light = figure.block("light_1")[0]
-checks.that("the real point is a rounding inside", 0 < figure.number("inside_by") < 1e-15)
-checks.that("its ray to the light hits the sphere at once", 0 < figure.number("self_t") < 1e-14)
-checks.that("not so from the real start", figure.number("largest_from_start") < 0)
-
-# What is drawn, far too large: the point inside, the start outside, both in the direction of the normal.
-(ix, iy, iz), = figure.block("inside")
-(sx, sy, sz), = figure.block("outside")
-deep = 1 - math.sqrt(ix * ix + iy * iy)
-checks.that("it is drawn large enough to be seen", 0.1 < deep < 0.4, str(deep))
-checks.same("the point is inside, below the hit", [ix, iy, iz], list(times(1 - deep, hit)))
-checks.same("the start is as far outside", [sx, sy, sz], list(times(1 + deep, hit)))
-way = unit(plus(light, (ix, iy, iz), -1))
-ahead = -dot((ix, iy, iz), way) + math.sqrt(dot((ix, iy, iz), way) ** 2 - (1 - deep) ** 2 + 1)
-(hx, hy, hz), = figure.block("own_hit")
-checks.same("its ray to the light meets the sphere from inside", [hx, hy, hz], list(plus((ix, iy, iz), way, ahead)))
-(*start, tx, ty, tz), = figure.block("to_light")
-checks.same("the other one goes towards the light", list(unit((tx, ty, tz))), list(unit(plus(light, (sx, sy, sz), -1))))
-middle = figure.dots("point")[0]
-scale = (figure.dots("light")[0][0] - middle[0]) / light[0]
-for title, place in (("light", light), ("rounded", (ix, iy)), ("self hit", (hx, hy)), ("point", hit)):
-    checks.near(f"{title}: drawn at its place", figure.dots(title),
-                (middle[0] + scale * place[0], middle[1] + scale * (place[1] - 1)))
-for left, right in (("light", "light, right"), ("point", "start")):
-    offset = 0 if left == "light" else scale * deep
-    (x, y), (x2, y2) = figure.dots(left)[0], figure.dots(right)[0]
-    checks.that(f"{right}: as far up at the right", abs(y + offset - y2) < 0.1 and x2 - x > figure.width / 3, f"{x}, {y}; {x2}, {y2}")
-
-
-def dark_and_lit(name):
-    """Of the pixels that face the light by far, how many are dark."""
-    wide, tall, rgb = picture(figure, name)
-    found = []
-    for row in range(tall):
-        for column in range(wide):
-            x, y = 2.25 * ((column + 0.5) / wide - 0.5), 2.25 * (0.5 - (row + 0.5) / tall)
-            if x * x + y * y < 0.8 and dot((x, y, math.sqrt(1 - x * x - y * y)), unit((3, 5, 6))) > 0.4:
-                found.append(rgb[3 * (row * wide + column)])
-    return sum(byte < 60 for byte in found), len(found)
-
-
-dark, lit = dark_and_lit("specks")
-checks.that("without the remedy the picture has specks", 0.1 * lit < dark < 0.9 * lit, f"{dark} of {lit}")
-dark, lit = dark_and_lit("smooth")
-checks.that("with it there are none", dark == 0 and lit > 5000, f"{dark} of {lit}")
-checks.that("both are drawn, at the same height", len({round(box[1], 1) for box, _ in drawn_pictures(figure)}) == 1
-            and len(drawn_pictures(figure)) == 2)
-for shape in ("16:9", "4:3"):
-    canvas = Figure("07-shading", "self-hit", settings=f"shape='{shape}'")
-    tops = [text.box[3] for text in canvas.texts()] + [y for _, y in canvas.dots("light")]
-    checks.that(f"self-hit, {shape}: there is room for a slide's title", max(tops) <= 0.87 * canvas.height, str(max(tops)))
-holds_for_every(checks, "07-shading", "self-hit")
-
 # ---- the flat figures: light and eye in the plane of the paper -------------------------------------
 # Directions are angles from the x axis, so nothing here is a dot product.
 
@@ -290,11 +222,65 @@ def shadow_and_mirror(light=(0.3, 4.2), eye=(-4.4, 2.6), given=True):
     return options
 
 
+def dark_and_lit(figure, name, light):
+    """Of the pixels that face the light by far, how many are dark."""
+    wide, tall, rgb = picture(figure, name)
+    found, to_light = [], unit((3 * light[0], 3 * light[1], 6))
+    for row in range(tall):
+        for column in range(wide):
+            x, y = 2.25 * ((column + 0.5) / wide - 0.5), 2.25 * (0.5 - (row + 0.5) / tall)
+            if x * x + y * y < 0.8 and dot((x, y, math.sqrt(1 - x * x - y * y)), to_light) > 0.4:
+                found.append(rgb[3 * (row * wide + column)])
+    return sum(byte < 60 for byte in found), len(found)
+
+
+def self_hit(light=(0.85, 1.8), eye=(-1.15, 1.575), given=True):
+    """A unit sphere around the origin; the eye's ray goes to its top."""
+    figure, options = plane("self-hit", light, eye) if given else plane("self-hit")
+    *seen, = figure.block("seen_1")[0]
+    checks.same("the ray goes from the eye to the top of the sphere", seen, [*eye, 0, -eye[0], 1 - eye[1], 0])
+    checks.same("the normal goes up", unit(figure.block("normal")[0][3:]), [0, 1, 0])
+    *_, ox, oy, oz = figure.block("offset")[0]
+    checks.that("the real start is off by 2^-32 to 2^-28 of the numbers", 2 ** -32 <= oy <= 2 ** -28, str(oy))
+    checks.that("outward", math.hypot(ox, oz) < 1e-6 * oy)
+    checks.that("the real point is a rounding inside", 0 < figure.number("inside_by") < 4e-15, figure.number("inside_by"))
+    checks.that("its ray to the light hits the sphere at once", 0 < figure.number("self_t") < 1e-14)
+    checks.that("not so from the real start", math.isnan(figure.number("start_t")))
+    # What is drawn, far too large: the point inside, the start outside, both in the direction of the normal.
+    (ix, iy, iz), = figure.block("inside")
+    deep = 1 - iy
+    checks.that("it is drawn large enough to be seen", 0.1 < deep < 0.4, str(deep))
+    checks.same("the point is inside, below the hit", [ix, iz], [0, 0])
+    checks.same("the start is as far outside", figure.block("outside")[0], [0, 1 + deep, 0])
+    # From inside, the line of the angle a leaves the circle by the law of sines.
+    a = angle((0, iy), light)
+    leaves = a + math.asin(iy * math.cos(a))
+    checks.same("its ray to the light meets the sphere from inside", figure.block("own_hit")[0], [math.cos(leaves), math.sin(leaves), 0])
+    *start, tx, ty, tz = figure.block("to_light")[0]
+    checks.that("the other one goes towards the light", apart(math.atan2(ty, tx), angle((0, 1 + deep), light)) < 1e-5)
+    lights = (figure.dots("light") + figure.dots("light, right"))
+    middle = figure.dots("point")[0]
+    scale = (lights[0][1] - middle[1]) / (light[1] - 1)
+    for title, place in (("rounded", (ix, iy)), ("self hit", (math.cos(leaves), math.sin(leaves))), ("light", light)):
+        checks.near(f"{title}: drawn at its place", figure.dots(title), (middle[0] + scale * place[0], middle[1] + scale * (place[1] - 1)))
+    (x, y), = figure.dots("start")
+    checks.near("and the light of the right panel", lights[1:], (x + scale * light[0], y + scale * (light[1] - 1 - deep)))
+    checks.that("which is beside the left one", lights[1][0] - lights[0][0] > figure.width / 3)
+    dark, lit = dark_and_lit(figure, "specks", light)
+    checks.that("without the remedy the picture has specks", 0.1 * lit < dark < 0.9 * lit, f"{dark} of {lit}")
+    dark, lit = dark_and_lit(figure, "smooth", light)
+    checks.that("with it there are none", dark == 0 and lit > 3000, f"{dark} of {lit}")
+    checks.that("both are drawn, at the same height", [box[1] for box, _ in drawn_pictures(figure)] == 2 * [
+        drawn_pictures(figure)[0][0][1]])
+    return options
+
+
 surface_vectors(given=False)
 beam_and_lobe(given=False)
 shadow_and_mirror(given=False)
+self_hit(given=False)
 beam_and_lobe((-2, 0.1))
-for name in ("surface-vectors", "beam-and-lobe", "shadow-and-mirror"):
+for name in ("surface-vectors", "beam-and-lobe", "shadow-and-mirror", "self-hit"):
     holds_for_every(checks, P, name)
 for _ in range(int(os.environ.get("SCENES", "5"))):
     above = [(dice.uniform(-3, 3), dice.uniform(0.6, 3)) for _ in range(2)]
@@ -302,4 +288,5 @@ for _ in range(int(os.environ.get("SCENES", "5"))):
     labels_are_clear(checks, P, "beam-and-lobe", beam_and_lobe(above[0]))
     labels_are_clear(checks, P, "shadow-and-mirror", shadow_and_mirror(
         (dice.uniform(-3, 5), dice.uniform(3.5, 5)), (dice.uniform(-6, -3), dice.uniform(2, 4))))
+    labels_are_clear(checks, P, "self-hit", self_hit(*((dice.uniform(-3, 3), dice.uniform(1.5, 4)) for _ in range(2))))
 checks.end()

@@ -10,9 +10,16 @@
 extern const Style closing_style;
 
 // Of the flat figures (light_in_a_plane.c): where the light and the eye are, x to the right, y up.
+// NaN: the figure's own.
 typedef struct {
     vec3 light, eye;
 } Plane;
+
+// What the command line gives to a figure's data.
+typedef struct {
+    Drawing drawing;
+    Plane plane;
+} Given;
 
 #define PLANE_OPTIONS(plane)                                                                       \
     {"light", 0, "X,Y,0", option_vec3, &(plane).light, NULL},                                      \
@@ -20,9 +27,10 @@ typedef struct {
         "eye", 0, "X,Y,0", option_vec3, &(plane).eye, NULL                                         \
     }
 
-void surface_vectors(Plot *plot, const Plane *plane);
-void beam_and_lobe(Plot *plot, const Plane *plane);
-void shadow_and_mirror(Plot *plot, const Plane *plane);
+void surface_vectors(Plot *plot, void *given);
+void beam_and_lobe(Plot *plot, void *given);
+void self_hit(Plot *plot, void *given);
+void shadow_and_mirror(Plot *plot, void *given);
 
 // Prints a figure's script; returns the result of main. The scene is that of a drawing, or the
 // chapter's own.

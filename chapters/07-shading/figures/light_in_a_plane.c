@@ -1,4 +1,4 @@
-// light_in_a_plane.c - three figures of chapter 07 that are flat: the eye, the light and the point
+// light_in_a_plane.c - four figures of chapter 07 that are flat: the eye, the light and the point
 // are in the plane of the paper.
 //
 // Vectors and cosines are those that the answers give. An angle that an answer has as a cosine is
@@ -6,6 +6,7 @@
 #include "chapters/07-shading/figures/figures.h"
 
 #include "common/camera.h"
+#include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
@@ -17,6 +18,14 @@ static const Color white = {1, 1, 1};
 static Light lamp_at(vec3 place)
 {
     return (Light){place, white, LIGHT_POINT};
+}
+
+// The light and the eye that the command line gives, or the figure's own.
+static Plane plane_or(const void *given, vec3 light, vec3 eye)
+{
+    Plane plane = ((const Given *)given)->plane;
+    return (Plane){isnan(plane.light[0]) ? light : plane.light,
+                   isnan(plane.eye[0]) ? eye : plane.eye};
 }
 
 static double angle_of(vec3 v)
@@ -41,15 +50,21 @@ static double turn(double from, double to)
     return remainder(to - from, 2 * PI);
 }
 
-// A part of a circle, with a label at its middle.
+// A part of a circle, or all of it.
+static void part_of_circle(Plot *plot, const char *name, vec3 center, double radius, double from,
+                           double by, int pieces)
+{
+    plot_block(plot, name, "x y z along the circle");
+    for (int i = 0; i <= pieces; i++)
+        plot_row_point(plot, center + radius * toward(from + by * i / pieces));
+    plot_block_end(plot);
+}
+
+// The same with a label at its middle.
 static void arc(Plot *plot, const char *name, vec3 center, double radius, double from, double by,
                 Label label)
 {
-    enum { PIECES = 24 };
-    plot_block(plot, name, "x y z along the arc");
-    for (int i = 0; i <= PIECES; i++)
-        plot_row_point(plot, center + radius * toward(from + by * i / PIECES));
-    plot_block_end(plot);
+    part_of_circle(plot, name, center, radius, from, by, 24);
     label.place = center + radius * toward(from + by / 2);
     if (fabs(by) > 0.05)
         plot_name(plot, label);
@@ -62,15 +77,6 @@ static void arrow(Plot *plot, const char *name, vec3 from, vec3 vector, Label la
     label.block = name;
     label.part = 1;
     plot_name(plot, label);
-}
-
-static void circle(Plot *plot, const char *name, Sphere sphere)
-{
-    enum { CORNERS = 120 };
-    plot_block(plot, name, "x y z round the sphere");
-    for (int i = 0; i <= CORNERS; i++)
-        plot_row_point(plot, sphere.center + sphere.radius * toward(2 * PI * i / CORNERS));
-    plot_block_end(plot);
 }
 
 static void handle(Plot *plot, const char *words, const char *option, vec3 place)
@@ -97,11 +103,12 @@ static double halfway_angle(double normal, double light, double eye, double cosi
                                                                                  : normal - away;
 }
 
-void surface_vectors(Plot *plot, const Plane *plane)
+void surface_vectors(Plot *plot, void *given)
 {
+    Plane plane = plane_or(given, vec3_of(-2.4, 1.7, 0), vec3_of(1.5, 1.9, 0));
     vec3 point = ball.center + ball.radius * toward(PI / 2);
-    vec3 n = surface_normal(ball, point), to_eye = plane->eye - point;
-    vec3 to_light = ray_to_light(point, lamp_at(plane->light)).direction;
+    vec3 n = surface_normal(ball, point), to_eye = plane.eye - point;
+    vec3 to_light = ray_to_light(point, lamp_at(plane.light)).direction;
     vec3 m = vec3_unit(mirror_direction(-to_light, n));
     double diffuse = diffuse_term(white, 1, white, n, to_light)[0];
     double phong = phong_term(1, 1, white, n, to_light, to_eye)[0];
@@ -131,8 +138,8 @@ void surface_vectors(Plot *plot, const Plane *plane)
                                   {"Phong: cos α = {phong!}", "blue", .step = 3},
                                   {"halfway: cos β = {halfway!}", "pink", .step = 4}};
     plot_say(plot, 0, 1, words, sizeof words / sizeof *words);
-    handle(plot, "the light", "light", plane->light);
-    handle(plot, "the eye", "eye", plane->eye);
+    handle(plot, "the light", "light", plane.light);
+    handle(plot, "the eye", "eye", plane.eye);
 }
 
 // ---- beam-and-lobe -----------------------------------------------------------------------------
@@ -214,19 +221,189 @@ static void lobe_panel(Plot *plot, vec3 n, vec3 l)
     plot_panel(plot, 1);
 }
 
-void beam_and_lobe(Plot *plot, const Plane *plane)
+void beam_and_lobe(Plot *plot, void *given)
 {
+    Plane plane = plane_or(given, vec3_of(-1.5, 1.6, 0), vec3_of(0, 1, 0));
     const vec3 n = vec3_of(0, 1, 0);
-    vec3 l = vec3_unit(ray_to_light(vec3_of(0, 0, 0), lamp_at(plane->light)).direction);
+    vec3 l = vec3_unit(ray_to_light(vec3_of(0, 0, 0), lamp_at(plane.light)).direction);
     plot_look_flat(plot);
     beam_panel(plot, n, l);
-    plot_handle(plot, (Handle){.words = "the light",
-                               .place = 1.5 * l,
-                               .option = {"light"},
-                               .count = 3,
-                               .value = 1.5 * l,
-                               .along = {vec3_of(1, 0, 0), vec3_of(0, 1, 0)}});
+    handle(plot, "the light", "light", 1.5 * l);
     lobe_panel(plot, n, l);
+}
+
+// ---- self-hit ----------------------------------------------------------------------------------
+
+// Why a ray must not start on the surface that it leaves. The numbers are those of a real ray, but
+// a rounding error is too small to be seen. So it is drawn as a fifth of the radius, and so is the
+// distance of the remedy. Two pictures show what follows, with real rounding errors.
+static const double shown_error = 0.22; // of the radius
+static const vec3 top = {0, 1, 0};      // of the sphere: there the eye's ray meets it
+static const double low = 0.45;         // what is below is not shown
+
+// The first of the rays for which a second ray, from the hit point to the light, immediately meets
+// the sphere again, because rounding put the point inside. Each formula rounds in its own way and
+// finds its own ray. They differ by so little that the figure is the same.
+static Ray unlucky_ray(Sphere sphere, Light light, vec3 eye)
+{
+    Ray ray = {eye, top - eye};
+    for (int i = 0; i < 10000; i++, ray.origin += vec3_of(1e-10, 1e-10, 0)) {
+        double t = hit_sphere(ray, sphere);
+        vec3 point = ray.origin + t * ray.direction;
+        if (t < NO_HIT && hit_sphere(ray_to_light(point, light), sphere) < 1)
+            return ray;
+    }
+    return ray;
+}
+
+// What is true of the ray, in numbers: none of it can be drawn.
+static void true_numbers(Plot *plot, Sphere sphere, Light light, vec3 point)
+{
+    vec3 start = offset_from_surface(sphere, point, surface_normal(sphere, point));
+    plot_undrawn(plot);
+    plot_vector(plot, "offset", point, start - point);
+    plot_number(plot, "self_t", hit_sphere(ray_to_light(point, light), sphere));
+    plot_number(plot, "start_t", hit_sphere(ray_to_light(start, light), sphere));
+    plot_number(plot, "inside_by", sphere.radius - vec3_length(point - sphere.center));
+}
+
+// The same in both panels: the sphere, the ray that the eye sees along, the light.
+static void hit_panel(Plot *plot, int panel, Sphere sphere, Light light, Ray ray, vec3 point)
+{
+    static const Room rooms[] = {{0.012, 0.488, 0.33, 0.845}, {0.512, 0.988, 0.33, 0.845}};
+    double from = asin(low / sphere.radius);
+    char name[20];
+    plot_panel(plot, panel);
+    plot_room(plot, rooms[panel - 1], rooms[panel - 1]);
+    plot_fit(plot, vec3_of(-1.2, low, 0), 0);
+    plot_fit(plot, vec3_of(1.2, 1.9, 0), 0);
+    plot_fit(plot, ray.origin, 0);
+    plot_fit(plot, light.position, 0);
+    snprintf(name, sizeof name, "cap_%d", panel);
+    part_of_circle(plot, name, sphere.center, sphere.radius, from, PI - 2 * from, 72);
+    snprintf(name, sizeof name, "light_%d", panel);
+    plot_point(plot, name, light.position);
+    plot_name(plot, (Label){"light", "ink", .block = name, .step = panel == 1 ? 1 : 4});
+    snprintf(name, sizeof name, "seen_%d", panel);
+    plot_vector(plot, name, ray.origin, point - ray.origin);
+}
+
+static void drawn_rays(Plot *plot, Sphere sphere, Light light, Ray ray, vec3 point)
+{
+    vec3 off = shown_error * sphere.radius * surface_normal(sphere, point);
+    vec3 inside = point - off, outside = point + off;
+    Ray back = ray_to_light(inside, light);
+    vec3 to_itself = hit_sphere(back, sphere) * back.direction;
+
+    hit_panel(plot, 1, sphere, light, ray, point);
+    plot_vector(plot, "wanted", point, light.position - point);
+    plot_point(plot, "point", point);
+    plot_point(plot, "inside", inside);
+    plot_vector(plot, "to_itself", inside, to_itself);
+    plot_point(plot, "own_hit", inside + to_itself);
+    plot_name(plot, (Label){"from the eye", "grey", .block = "seen_1", .part = 0.3});
+    plot_name(plot, (Label){"computed hit", "ink", .block = "inside", .step = 2});
+    plot_name(plot, (Label){"hits itself", "ink", .block = "own_hit", .step = 3});
+    handle(plot, "the light", "light", light.position);
+    handle(plot, "the eye", "eye", ray.origin);
+
+    hit_panel(plot, 2, sphere, light, ray, point);
+    plot_vector(plot, "normal", point, off);
+    plot_point(plot, "outside", outside);
+    // Its tip does not cover the light.
+    plot_vector(plot, "to_light", outside, 0.93 * (light.position - outside));
+    plot_name(plot, (Label){"$n$", "green", .block = "normal", .part = 0.5, .step = 4});
+    plot_name(plot, (Label){"start", "blue", .block = "outside", .step = 4});
+}
+
+typedef vec3 Starter(Sphere sphere, vec3 point, vec3 normal);
+
+static vec3 at_the_point(Sphere sphere, vec3 point, vec3 normal)
+{
+    (void)sphere;
+    (void)normal;
+    return point;
+}
+
+// Brighter the more the surface faces the eye, so that it looks round; and dark where a ray to the
+// light that starts as told does not arrive.
+static Color light_and_dark(const Scene *scene, Ray ray, Starter *start)
+{
+    Hit hit = nearest_hit(ray, scene);
+    if (hit.sphere != 0)
+        return scene->background;
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = surface_normal(scene->spheres[0], point);
+    double facing = fabs(vec3_dot(normal, vec3_unit(ray.direction)));
+    vec3 from = start(scene->spheres[0], point, normal);
+    double left = visibility(scene, from, scene->lights[0]) > 0 ? 1 : 0.2;
+    return left * facing * scene_surface(scene, 0)->color;
+}
+
+// With samples x samples rays a pixel. The light is on the side where it is drawn, and before the
+// sphere. The rays are the figure's own: a camera that is wrong is not what it shows.
+static void picture_data(Plot *plot, const char *name, Starter *start, vec3 light, int samples,
+                         double allowed)
+{
+    enum { SIDE = 150 };
+    // Neither at the origin nor exactly before the eye, where rounding makes symmetrical patterns.
+    const vec3 place = vec3_of(2, 2, 1);
+    const double grey = 127 / 255.0;
+    Sphere sphere = {.center = place, .radius = 1};
+    Surface surface = {.color = white};
+    Light lamp = lamp_at(place + 3 * light + vec3_of(0, 0, 6));
+    Scene scene = {.spheres = &sphere,
+                   .sphere_count = 1,
+                   .surfaces = &surface,
+                   .surface_count = 1,
+                   .lights = &lamp,
+                   .light_count = 1,
+                   .background = vec3_of(grey, grey, grey)};
+    const vec3 eye = place + vec3_of(0.011, 0.007, 6);
+    const double across = 2.25; // of a square window, 6 before the eye
+    Image image;
+    Message message;
+    const double fine = SIDE * samples;
+    if (!image_create(&image, (Resolution){SIDE, SIDE}, &message))
+        return;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        Color sum = vec3_of(0, 0, 0);
+        for (int k = 0; k < samples * samples; k++) {
+            double s = (i % SIDE * samples + k % samples + 0.5) / fine,
+                   t = 1 - (i / SIDE * samples + k / samples + 0.5) / fine;
+            Ray ray = {eye, vec3_of((s - 0.5) * across, (t - 0.5) * across, -6)};
+            sum += light_and_dark(&scene, ray, start);
+        }
+        image_set(&image, (Pixel){i % SIDE, i / SIDE}, sum / (samples * samples));
+    }
+    plot_picture(plot, name, &image, allowed);
+    plot_number(plot, "side", SIDE);
+    image_free(&image);
+}
+
+// Above the place that is hit, by more than the start of the ray that is drawn.
+static vec3 above_the_top(vec3 place)
+{
+    return vec3_of(place[0], fmax(place[1], 1.5), 0);
+}
+
+void self_hit(Plot *plot, void *given)
+{
+    const Sphere sphere = {.center = vec3_of(0, 0, 0), .radius = 1};
+    Plane plane = plane_or(given, vec3_of(0.85, 1.8, 0), vec3_of(-1.15, 1.575, 0));
+    Light light = lamp_at(above_the_top(plane.light));
+    Ray ray = unlucky_ray(sphere, light, above_the_top(plane.eye));
+    vec3 point = ray.origin + hit_sphere(ray, sphere) * ray.direction;
+    plot_look_flat(plot);
+    plot_fill_room(plot);
+    plot_keep_clear(plot, (Room){0, 1, 0, 0.33}, (Room){0, 1, 0, 0.33});
+    true_numbers(plot, sphere, light, point);
+    drawn_rays(plot, sphere, light, ray, point);
+    plot_include(plot, "common/figure/pictures.gp");
+    // Right answers round in different ways, and each has specks of its own.
+    picture_data(plot, "specks", at_the_point, light.position, 1, 255);
+    picture_data(plot, "smooth", offset_from_surface, light.position, plot_is_dragged(plot) ? 1 : 3,
+                 ROUNDING);
 }
 
 // ---- shadow-and-mirror -------------------------------------------------------------------------
@@ -243,7 +420,7 @@ static void ball_data(Plot *plot)
     for (int i = 0; i < BALLS; i++) {
         char block[20];
         snprintf(block, sizeof block, "ball%d", i);
-        circle(plot, block, balls[i]);
+        part_of_circle(plot, block, balls[i].center, balls[i].radius, 0, 2 * PI, 120);
         plot_circle(plot, balls[i].center, balls[i].radius);
         plot_fit(plot, balls[i].center, balls[i].radius);
         plot_name(plot, (Label){names[i], "ink", .place = balls[i].center});
@@ -269,18 +446,19 @@ static Seen seen_along(const Scene *scene, Ray ray)
     return (Seen){point, n, offset_from_surface(sphere, point, n)};
 }
 
-void shadow_and_mirror(Plot *plot, const Plane *plane)
+void shadow_and_mirror(Plot *plot, void *given)
 {
+    Plane plane = plane_or(given, vec3_of(0.3, 4.2, 0), vec3_of(-4.4, 2.6, 0));
     Surface surface = {.color = white};
     Surface surfaces[BALLS] = {surface, surface, surface};
-    Light light = lamp_at(plane->light);
+    Light light = lamp_at(plane.light);
     Scene scene = {.spheres = balls,
                    .sphere_count = BALLS,
                    .surfaces = surfaces,
                    .surface_count = BALLS,
                    .lights = &light,
                    .light_count = 1};
-    Ray seen = {plane->eye, target - plane->eye};
+    Ray seen = {plane.eye, target - plane.eye};
     Seen at = seen_along(&scene, seen);
     vec3 point = at.point, n = at.n, start = at.start;
     Ray back = ray_to_light(start, light);
@@ -293,13 +471,13 @@ void shadow_and_mirror(Plot *plot, const Plane *plane)
     ball_data(plot);
     plot_number(plot, "visibility", arrives);
     plot_number(plot, "mirrored_t", t);
-    plot_point(plot, "eye", plane->eye);
-    plot_point(plot, "lamp", plane->light);
+    plot_point(plot, "eye", plane.eye);
+    plot_point(plot, "lamp", plane.light);
     plot_point(plot, "point", point);
-    plot_fit(plot, plane->eye, 0);
-    plot_fit(plot, plane->light, 0);
+    plot_fit(plot, plane.eye, 0);
+    plot_fit(plot, plane.light, 0);
     plot_fit(plot, start + to_hit, 0);
-    plot_vector(plot, "seen", plane->eye, point - plane->eye);
+    plot_vector(plot, "seen", plane.eye, point - plane.eye);
     plot_vector(plot, "n", point, n);
     plot_vector(plot, "to_light", start, back.direction);
     plot_vector(plot, "lit", start, fmin(first_t(&scene, back), 1) * back.direction);
@@ -313,6 +491,6 @@ void shadow_and_mirror(Plot *plot, const Plane *plane)
     plot_names(plot, labels, sizeof labels / sizeof *labels);
     static const Label words[] = {{"visibility: {visibility!}", "orange", .step = 2}};
     plot_say(plot, 0, 0, words, 1);
-    handle(plot, "the light", "light", plane->light);
-    handle(plot, "the eye", "eye", plane->eye);
+    handle(plot, "the light", "light", plane.light);
+    handle(plot, "the eye", "eye", plane.eye);
 }
