@@ -80,8 +80,8 @@ static void name_frame(Plot *plot)
 // What each panel has: the eye, and a part of the canvas of its own, under its title.
 static void begin_panel(Plot *plot, Given given, int form, const char *title)
 {
-    double left = form % 2 == 0 ? 0.08 : 0.58, bottom = form < 2 ? 0.51 : 0.11;
-    Room room = {left, left + 0.36, bottom, bottom + 0.29};
+    double left = form % 2 == 0 ? 0.02 : 0.51, bottom = form < 2 ? 0.465 : 0.075;
+    Room room = {left, left + 0.47, bottom, bottom + 0.335};
     Camera c = given.camera;
     char block[20];
     plot_panel(plot, form + 1);
