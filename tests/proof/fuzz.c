@@ -1,6 +1,6 @@
 // fuzz.c - two libFuzzer targets, which tests/proof/fuzz.sh builds and runs.
 //
-// SCENES: any bytes are a scene, or are refused with a message.
+// SCENES: any bytes are a scene, or are refused with a message; the sanitizers see the rest.
 // Otherwise any answer and any output of a compiler or a linker are explained. An input is like the
 // cases in tests/explain/cases.txt: an answer after '-- ', the compiler's words after the next line
 // of that kind. The headers of the tree are read.
@@ -27,81 +27,11 @@ enum { LONGEST_INPUT = 1 << 14, LONGEST_LINE = 79 };
 
 #ifdef SCENES
 
-static void check_color(Color color)
-{
-    for (int i = 0; i < 3; i++)
-        MUST(color[i] >= 0 && color[i] <= 1);
-}
-
-static void check_viewpoint(const Viewpoint *view)
-{
-    MUST(vec3_is_finite(view->from) && vec3_is_finite(view->at) && vec3_is_finite(view->up));
-    MUST(view->angle > 0 && view->angle < 180);
-    MUST(view->resolution.width >= 1 && view->resolution.width <= IMAGE_MAX_SIDE);
-    MUST(view->resolution.height >= 1 && view->resolution.height <= IMAGE_MAX_SIDE);
-}
-
-// A scene with this number of lines: each holds at most one thing.
-static void check_scene(const Scene *scene, int lines)
-{
-    check_viewpoint(&scene->view);
-    check_color(scene->background);
-    MUST(scene->sphere_count >= 0 && scene->light_count >= 0 && scene->surface_count >= 1);
-    MUST(scene->sphere_count + scene->light_count + scene->surface_count - 1 + 6 <= lines);
-    int surface = 0;
-    for (int i = 0; i < scene->sphere_count; i++) {
-        const Sphere *sphere = &scene->spheres[i];
-        MUST(vec3_is_finite(sphere->center));
-        MUST(isfinite(sphere->radius) && sphere->radius > 0);
-        MUST(sphere->surface >= surface && sphere->surface < scene->surface_count);
-        surface = sphere->surface;
-    }
-    for (int i = 0; i < scene->surface_count; i++) {
-        const Surface *s = &scene->surfaces[i];
-        check_color(s->color);
-        MUST(isfinite(s->diffuse) && isfinite(s->specular) && isfinite(s->shine));
-        MUST(isfinite(s->transmittance) && isfinite(s->refraction));
-    }
-    for (int i = 0; i < scene->light_count; i++) {
-        MUST(vec3_is_finite(scene->lights[i].position));
-        check_color(scene->lights[i].color);
-    }
-}
-
-// One line of plain characters, that begins so. Returns what follows.
-static const char *check_line(const char *text, const char *start)
-{
-    MUST(strncmp(text, start, strlen(start)) == 0);
-    MUST(strlen(text) > strlen(start));
-    for (const char *c = text; *c != '\0'; c++)
-        MUST(*c >= ' ' && *c <= '~');
-    return text + strlen(start);
-}
-
-static void check_message(const Message *message, int lines)
-{
-    const char *number = check_line(message->text, "fuzz.nff:");
-    MUST(*number >= '1' && *number <= '9');
-    char *end;
-    long line = strtol(number, &end, 10);
-    MUST(line <= lines);
-    MUST(strncmp(end, ": ", 2) == 0 && strlen(end) > 2);
-}
-
-static bool is_empty(const Scene *scene)
-{
-    return scene->spheres == NULL && scene->surfaces == NULL && scene->lights == NULL &&
-           scene->sphere_count == 0 && scene->surface_count == 0 && scene->light_count == 0;
-}
-
+// What a scene may be is tested in tests/house/common/scene.c.
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size > LONGEST_INPUT)
         return -1; // not for the corpus
-    int lines = 1;
-    for (size_t i = 0; i < size; i++)
-        lines += data[i] == '\n';
-
     // Some C libraries refuse an empty buffer; a file without bytes is then /dev/null.
     FILE *file =
         size > 0 ? fmemopen((void *)(uintptr_t)data, size, "rb") : fopen("/dev/null", "rb");
@@ -109,20 +39,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     Scene scene;
     Message message, warning;
-    memset(&message, 0, sizeof message);
-    memset(&warning, 0xff, sizeof warning);
     bool good = scene_read(file, "fuzz.nff", &scene, &message, &warning);
     fclose(file);
-    if (good)
-        check_scene(&scene, lines);
-    else
-        check_message(&message, lines);
-    if (warning.text[0] != '\0')
-        check_line(warning.text, "fuzz.nff: warning: ");
-    if (!good)
-        MUST(is_empty(&scene));
+    MUST(good || strncmp(message.text, "fuzz.nff:", 9) == 0);
     scene_free(&scene);
-    MUST(is_empty(&scene));
     return 0;
 }
 
