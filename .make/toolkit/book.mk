@@ -212,10 +212,10 @@ BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapter
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
 # The slides of the lecture: chapters/slides.txt, and each step of their figures. Films are those of 'make animations'.
 BOOK_LECTURE := build/book-lecture.html
-$(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) $(DRAWN)
+$(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $$(QUESTIONS) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) $(DRAWN)
 	@export FORMAT=svg THEME= STEPS=1; SHAPE=4:3 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(NARROW_FIGURES) && \
 		SHAPE=16:9 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(WIDE_FIGURES)
-	$(Q)$(PYTHON) chapters/slides/lecture_page.py $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) > $@
+	$(Q)$(PYTHON) chapters/slides/lecture_page.py $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) $(QUESTIONS) > $@
 $(BOOK_STAMP): $(if $(FROM),,$(BOOK_LECTURE))
 $(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book.mk $(if $(FROM),$(UNPACKED))
 	$(call say,pages,$(BOOK))

@@ -216,4 +216,10 @@ mistake: $$(MISTAKEN) $(call script_of,$(B)/solutions/figures,$(FIGURE_NAMES)) #
 	@$(if $(NAME),$(SHOW_MISTAKES) show $(B) '$(NAME)',echo "make mistake NAME=no-flip: which? 'make mistakes' lists them" >&2; exit 2)
 mistakes: $$(MISTAKEN) ##+ the known mistakes that have names, and a page with their pictures
 	@$(SHOW_MISTAKES) list $(B)
-.PHONY: mistake mistakes
+# Questions to the class, as a lecture: lecture.html has them after each part.
+QUESTIONS := $(B)/questions/questions.txt
+$(QUESTIONS): chapters/mistakes/questions.txt chapters/mistakes/show_mistakes.py | $(B)/tests/mistaken/06-ray-casting $(B)/tests/mistaken/07-shading
+	$(call say,ask,$@)
+	$(Q)$(SHOW_MISTAKES) questions $(B)
+questions: $(QUESTIONS) ##+ questions to the class, made of known mistakes (make slides SLIDES=build/questions/questions.txt)
+.PHONY: mistake mistakes questions

@@ -2,18 +2,22 @@
 
     show_mistakes.py list BUILD           names of mistakes, their words, and a page with their pictures
     show_mistakes.py show BUILD NAME      the pictures, and each figure that differs, with 'solid: expected, dashed: yours'
+    show_mistakes.py questions BUILD      questions to the class (questions.txt): BUILD/questions/questions.txt is a lecture of
+                                          them (chapters/slides/lecture.py), with their pictures beside it
 
 NAME: of names.txt, or FUNCTION/ID. BUILD/tests/mistaken/NN-stem is the program of each chapter, by any of the mistakes
 (tests/proof/mistaken_figures.c); BUILD/solutions has the right pictures and figures. All of it is in BUILD/mistakes/.
 """
 import html
 import os
+import re
 import shutil
 import subprocess
 import sys
 import textwrap
 from collections import namedtuple
 from pathlib import Path
+from random import Random
 
 HERE = Path(__file__).parent
 PROGRAM_TIME = 60  # seconds: a mistake may never come to an end
@@ -21,12 +25,13 @@ SIZE = "320x240"
 # The last picture of the lecture, flat and with light.
 PICTURES = (("flat", "06-ray-casting", ()), ("shaded", "07-shading", ("chapters/06-ray-casting/three-spheres.nff",)))
 
-Mistake = namedtuple("Mistake", "number stem function id words")
+Mistake = namedtuple("Mistake", "number stem function id formula why picture words")
 
 
 def known(build):
     listed = subprocess.run([build / "tests/mistaken/06-ray-casting", "list"], capture_output=True, text=True, check=True)
-    return [Mistake(number, *line.split("\t")) for number, line in enumerate(listed.stdout.splitlines())]
+    lines = [line.split("\t") for line in listed.stdout.splitlines()]
+    return [Mistake(number, *each, f"{each[1]} looks like {each[3]}: {each[4]}") for number, each in enumerate(lines)]
 
 
 def names():
@@ -160,11 +165,79 @@ def list_all(build):
     print(f"Their pictures: {build}/mistakes/index.html")
 
 
+# ---- questions to the class ------------------------------------------------------------------------
+
+FIRST_QUESTION = """Questions to the class
+= Questions to the class
+name: questions
+Which line drew the picture? Four to choose from. Vote, talk about it in pairs, and vote again.
+"""
+
+
+def capital(words):
+    return words[:1].upper() + words[1:] if words[1:2].isalpha() else words
+
+
+def with_minus(words):
+    return re.sub(r"(?<![\w)])-(?=[\w(])", "−", words)
+
+
+def as_formula(text):
+    """Mathematics, if it has no words."""
+    if re.search("[a-zA-Z]{3}|if|of", re.sub("max|min|point", "", text)):
+        return with_minus(text)
+    text = re.sub(r"(?<=[\w)]) (?=[\w(])", r"\\, ", text)
+    return "$" + re.sub(r"(\w)\.(\w)", r"\1 \\cdot \2", text).replace("max", r"\max").replace("point", r"\mathit{point}") + "$"
+
+
+def question(mistakes, line, number, folder, build):
+    """A slide: two pictures, four lines to choose from; then which it was, and why."""
+    part, function, ids, right = (each.strip() for each in line.split("|", 3))
+    wrong = [find(mistakes, f"{function}/{each}") for each in ids.split()]
+    kind = casts(build, wrong[0], folder)[0]
+    name = f"ask-{number}-{function.replace('_', '-')}"
+    for who in ("right", "yours"):
+        (folder / f"{who}-{kind}.png").replace(folder / f"{name}-{who}.png")
+    choices = [None, *wrong]
+    Random(name).shuffle(choices)
+    letter = dict(zip(choices, "ABCD"))
+    formulas = "\n".join(f"**{letter[each]}** \u2002 {as_formula(each.formula if each else right)}" for each in choices)
+    why = wrong[0].why if len(wrong[0].why) < 150 else wrong[0].why.partition(". ")[0] + "."
+    others = "\n".join(f"{letter[each]} would show: {each.picture}. {capital(each.why)}" for each in wrong[1:])
+    return part, f"""= Which line was it?
+name: {name}
+minutes: 2
+exercise: {wrong[0].stem[:2]} {function}
+picture: {folder}/{name}-right.png {folder}/{name}-yours.png
+added
+? The upper picture is right. The lower one is by a wrong `{function}`. By which?
+{formulas}
+answer
+! It was **{letter[wrong[0]]}**: {with_minus(why)}
+! Right is **{letter[None]}**.
+notes
+Let the room vote, discuss in pairs, and vote again.
+{others}
+"""
+
+
+def questions(build):
+    folder = build / "questions"
+    folder.mkdir(exist_ok=True)
+    lines = [line for line in (HERE / "questions.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    mistakes, text, before = known(build), FIRST_QUESTION, ""
+    for number, line in enumerate(lines, 1):
+        part, slide = question(mistakes, line, number, folder, build)
+        text += f"== {part}\n" * (part != before) + slide
+        before = part
+    (folder / "questions.txt").write_text(text, encoding="utf-8")
+
+
 def main(what, build, name=""):
     if what == "show":
         show(Path(build), name)
     else:
-        list_all(Path(build))
+        {"list": list_all, "questions": questions}[what](Path(build))
 
 
 if __name__ == "__main__":

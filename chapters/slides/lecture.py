@@ -7,7 +7,7 @@
     minutes: NUMBER
     exercise: 05 hit_sphere       what practises it
     figure: NAME [STEP] [below]   beside the words, or below them; from its first step, or another one on
-    picture: FILE.png [below]
+    picture: FILE.png [FILE.png] [below]
     film: NAME                    of 'make animations'; only a page shows it
     added                         the deck does not have it
     - words                       items, a line each: "- " and "  - " of a list, "? " a question, "! " an answer,
@@ -137,7 +137,7 @@ class Reader:
             if key == "minutes" and not value.isdigit():
                 raise self.wrong(f"minutes: {value}: expected a number")
             if key in ("figure", "picture"):
-                found = re.fullmatch(r"(\S+?)(?: (\d+))?( below)?", value)
+                found = re.fullmatch(r"(\S+?(?: \S+\.png)?)(?: (\d+))?( below)?", value)
                 if not found:
                     raise self.wrong(f"{key}: {value}: expected a name, a step if it is not the first, and 'below' if it is below the words")
                 value, slide.pages[0].step, slide.below = found[1], int(found[2] or 1), bool(found[3])

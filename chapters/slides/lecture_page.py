@@ -1,8 +1,8 @@
 """lecture_page.py - writes the slides of a lecture (lecture.py) as HTML, for the page's lecture.html.
 
-    lecture_page.py LECTURE NUMBERS.json FIGURES
+    lecture_page.py LECTURE NUMBERS.json FIGURES QUESTIONS
 
-Each page of the slides is a section. What it does not show yet is there, but hidden, so all pages of a slide look alike.
+QUESTIONS is another lecture: after each part come its slides of the part of that name. Each page of the slides is a section. What it does not show yet is there, but hidden, so all pages of a slide look alike.
 Mathematics stays TeX, in elements <math-tex>, which chapters/book/site/lecture.mjs typesets. FIGURES has the words of
 each figure, NAME/NAME.txt, and its script, which names its layout.
 """
@@ -37,8 +37,8 @@ def item(each, hidden):
 
 
 class LecturePage:
-    def __init__(self, lecture, figures):
-        self.lecture, self.figures = lecture, figures
+    def __init__(self, lecture, figures, questions):
+        self.lecture, self.figures, self.questions = lecture, figures, questions.slides
 
     def stem(self, figure):
         """The chapter whose program draws a figure: the folder of its layout."""
@@ -48,7 +48,8 @@ class LecturePage:
     def picture(self, slide, step):
         """The figure at its step, or the picture."""
         if slide.picture:
-            return f'<div class="picture"><img src="{escape(slide.picture)}" alt="{escape(slide.title)}"></div>'
+            images = "".join(f'<img src="{escape(file)}" alt="{escape(slide.title)}">' for file in slide.picture.split())
+            return f'<div class="picture">{images}</div>'
         said = (self.figures / slide.figure / f"{slide.figure}.txt").read_text(encoding="utf-8")
         title, _, rest = said.partition("\n")
         shape = "16:9" if slide.below else "4:3"
@@ -63,34 +64,36 @@ class LecturePage:
         return f'<aside class="notes" hidden>{lines}</aside>'
 
     def page(self, slide, count):
-        page, total = slide.pages[count - 1], len(self.lecture.slides)
+        page, number = slide.pages[count - 1], "question" if slide in self.questions else f"{slide.number} of {len(self.lecture.slides)}"
         now = len(slide.items(count))
         items = "\n".join(item(each, i >= now) for i, each in enumerate(slide.items(len(slide.pages))))
         shown = self.picture(slide, page.step) if slide.figure or slide.picture else ""
         layout = "full" if not shown else "below" if slide.below else "beside"
-        title = f"<h1>{words(self.lecture.title)}</h1>" if slide.number == 1 else f"<h2>{words(slide.title)}</h2>"
+        title = f"<h1>{words(self.lecture.title)}</h1>" if slide is self.lecture.slides[0] else f"<h2>{words(slide.title)}</h2>"
         left = " · ".join(filter(None, [escape(slide.practised_by()), "added to the deck" * slide.added]))
         address = slide.name + (f"/{count}" if count > 1 else "")
-        data = f'data-name="{slide.name}" data-slide="{slide.number}" data-page="{count}" data-pages="{len(slide.pages)}" ' \
+        data = f'data-name="{slide.name}" data-slide="{number.split()[0]}" data-page="{count}" data-pages="{len(slide.pages)}" ' \
             f'data-minutes="{slide.minutes}"' + (f' data-film="{slide.film}"' if slide.film else "")
-        return f"""<section class="slide {layout}" id="{address}" {data} aria-label="{escape(slide.title)}, {slide.number} of {total}">
+        return f"""<section class="slide {layout}" id="{address}" {data} aria-label="{escape(slide.title)}, {number}">
 {title}
 <div class="body"><div class="words">{items}</div>{shown}</div>
-<footer><span>{left}</span><span>{escape(slide.part)} · {slide.number} of {total}</span></footer>
+<footer><span>{left}</span><span>{escape(slide.part)} · {number}</span></footer>
 {self.notes(slide) if count == 1 else ''}</section>
 """
 
     def html(self):
-        return "".join(self.page(slide, count + 1) for slide in self.lecture.slides for count in range(len(slide.pages)))
+        slides = [slide for part in self.lecture.parts() for slide in [*self.lecture.slides, *self.questions] if slide.part == part]
+        return "".join(self.page(slide, count + 1) for slide in slides for count in range(len(slide.pages)))
 
 
-def main(path, numbers, figures):
+def main(path, numbers, figures, questions):
     try:
         lecture = lectures.read(path, json.loads(Path(numbers).read_text(encoding="utf-8")))
+        questions = lectures.read(questions)
     except lectures.Wrong as error:
         sys.exit(str(error))
     sys.stdout.reconfigure(encoding="utf-8")
-    sys.stdout.write(LecturePage(lecture, Path(figures)).html())
+    sys.stdout.write(LecturePage(lecture, Path(figures), questions).html())
 
 
 if __name__ == "__main__":

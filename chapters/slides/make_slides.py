@@ -21,7 +21,7 @@ from lecture import Wrong
 
 # Letters of our texts that LaTeX does not know as they are; outside mathematics.
 SIGNS = {"\\": r"\textbackslash{}", "%": r"\%", "&": r"\&", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}", "~": r"\~{}",
-         "−": "$-$", "·": r"$\cdot$", "…": r"\ldots{}"}
+         "−": "$-$", "\u2002": r"\enspace{}", "·": r"$\cdot$", "…": r"\ldots{}"}
 
 def plain(text):
     return "".join(SIGNS.get(letter, letter) for letter in text)
@@ -81,7 +81,9 @@ class Slides:
                 raise Wrong(f"the figure {slide.figure} has no step {step}: slide '{slide.name}'")
             shown = rf"\figure{'below' if below else 'beside'}{{{slide.figure}/{name}}}"
         elif slide.picture:
-            shown = rf"\picture{'below' if below else 'beside'}{{{slide.picture}}}"
+            files = slide.picture.split()
+            pictures = r"\vfil".join(rf"\onepicture{{{1.06 / len(files) - 0.06:.2g}}}{{{file}}}" for file in files)
+            shown = rf"\picture{'below' if below else 'beside'}{{{pictures}}}"
         layout = "full" if not shown else "below" if below else "beside"
         is_title = slide.number == 1
         heading = [rf"\lecturetitle{{{words(self.lecture.title)}}}"] * is_title

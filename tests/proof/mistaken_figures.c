@@ -1,7 +1,7 @@
 // mistaken_figures.c - the program of a chapter with a known mistake in the place of a right
 // answer. Linked with that program.
 //
-//   mistaken_figures list                  of each mistake: stem, exercise, id, the judge's words
+//   mistaken_figures list                  of each: stem, exercise, id, formula, why, picture
 //   mistaken_figures NUMBER ARGUMENT...    the program, by that one of the list; -1: by none
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"
@@ -24,8 +24,8 @@ int __wrap_main(int argc, char **argv)
         choose_stem(exercises[i].stem);
         for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
             if (lists) {
-                printf("%s\t%s\t%s\t%s looks like %s: %s\n", exercises[i].stem, it->exercise,
-                       it->id, it->exercise, it->formula, it->why);
+                printf("%s\t%s\t%s\t%s\t%s\t%s\n", exercises[i].stem, it->exercise, it->id,
+                       it->formula, it->why, it->picture);
             } else if (left-- == 0) {
                 answer_by(exercise_number(it->exercise), it->answer);
                 break;

@@ -260,4 +260,14 @@ without_slides() {
 check 'SLIDES that is not there is an error' fails without_slides
 check 'and is named' says 'SLIDES=none.txt: no such file'
 
+# Questions to the class, made of known mistakes, are slides as well. An id that is not a mistake's is an error.
+ask_the_class() {
+    (unset MAKEFLAGS; make --no-print-directory questions && make --no-print-directory slides SLIDES="$BUILD/questions/questions.txt")
+}
+check 'the questions to the class are made' ask_the_class
+every_answer_is_there() {
+    pdftotext "$PROGRAMS/slides/questions.pdf" - | grep -c '^It was [A-D]: ' | grep -qx "$(grep -c '^[^#]' chapters/mistakes/questions.txt)"
+}
+check 'each has its answer' every_answer_is_there
+
 finish slides

@@ -2,6 +2,7 @@
 // speaker, an overview, a pen. One classic script, so the page also works as a file, without a server; then its figures
 // are static, because a browser starts no Worker there.
 import { liveFigure } from "./figures.js";
+import { functionsOf } from "./verdict.js";
 import { Helper } from "../worker_questions.js";
 
 const WIDTH = 960, HEIGHT = 540; // of a slide
@@ -71,7 +72,7 @@ function fitWords() {
             continue;
         const width = WORDS_WIDTHS.find((each) => {
             page.style.setProperty("--words", `${each}px`);
-            return words.scrollHeight <= room;
+            return words.scrollHeight <= room && words.scrollWidth <= words.clientWidth;
         });
         for (const each of pages.filter((one) => one.dataset.name === page.dataset.name))
             each.style.setProperty("--words", `${width ?? WORDS_WIDTHS.at(-1)}px`);
@@ -165,6 +166,51 @@ function setUpPen() {
     });
 }
 
+// ---- a student's line -----------------------------------------------------------------------------------
+
+let judge = null, blanks = null; // by stem
+
+/** A blank in which a function has these words: a whole function, lines of its body, or what it returns. */
+function answerWith(blank, name, words) {
+    const [whole, type] = new RegExp(`^(\\w+) \\*?${name}\\([^]*?\\n}\\n`, "m").exec(blank);
+    const isWhole = new RegExp(`\\b${name}\\s*\\([^;]*\\{`).test(words), isBody = words.includes(";");
+    const body = isBody ? words : `return ${words.startsWith("{") ? `(${type})` : ""}${words};`;
+    return blank.replace(whole, () => isWhole ? `${words}\n` : `${whole.slice(0, whole.indexOf("{"))}{\n${body}\n}\n`);
+}
+
+/** The functions that can be judged; first those that the slide's lower edge names. */
+async function openLine() {
+    $("line").showModal();
+    blanks ??= Object.fromEntries(Object.entries(await (await fetch("tree/files.json")).json())
+        .flatMap(([path, text]) => (path.startsWith("build/blanks/") ? [[path.slice(13, -2), text]] : [])));
+    const all = Object.entries(blanks).flatMap(([stem, text]) => [...text.matchAll(/^(\w+ \*?(\w+)\([^;]*?\))\n\{/mg)].map(([, head, name]) => new Option(head.replace(/\s+/g, " "), `${stem}/${name}`)));
+    const named = pages[at].querySelector("footer").textContent, isNamed = ({ value }) => Number(new RegExp(`\\b${value.split("/")[1]}\\b`).test(named));
+    $("line").querySelector("select").replaceChildren(...all.sort((a, b) => isNamed(b) - isNamed(a)));
+    $("line").querySelector("textarea").focus();
+    judge ??= new Helper(() => new Worker(new URL("judge_worker.js", location.href), { type: "module" }));
+    const [stem] = Object.keys(blanks);
+    await judge.ask({ do: "prepare", stem, text: blanks[stem] }); // the compiler, while something is typed
+}
+
+async function judgeLine() {
+    const [stem, name] = $("line").querySelector("select").value.split("/"), said = $("line").querySelector("output");
+    const words = $("line").querySelector("textarea").value.trim(), sources = { [stem]: answerWith(blanks[stem], name, words) };
+    const tell = (...parts) => said.replaceChildren(...parts);
+    const shown = ({ progress, record, messages, text, scripts, pictures: drawn }) => {
+        const of = functionsOf(record ?? "").find((each) => each.name === name), { state, values: { why, expected, yours } } = of ?? { values: {} };
+        const line = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
+        const cause = why || "not right yet", result = state === "right" ? "✓ Right." : state === "wrong" ? `✗ ${cause[0].toUpperCase()}${cause.slice(1)}` : "✗ Not judged";
+        tell(line("p", result), ...(expected && state === "wrong" ? [line("pre", `expected ${expected}\nyours    ${yours}`)] : state ? [] : [line("pre", /error: .*/.exec(messages)?.[0] ?? text)]));
+        const image = (bytes, type) => Object.assign(new Image(), { src: URL.createObjectURL(new Blob([bytes], { type })), alt: "What it draws" });
+        if (!progress && scripts[0])
+            drawer.ask({ do: "script", script: scripts[0], theme: themeNow() }).then(({ svg }) => said.prepend(image(svg, "image/svg+xml")), () => {});
+        else if (drawn[0])
+            said.prepend(image(drawn[0].bytes, "image/png"));
+    };
+    await judge.ask({ do: "judge", stem, sources, records: {}, columns: 80 }, ({ words: doing, first }) => (first ? shown({ ...first, progress: true }) : tell(`${doing} …`)))
+        .then(shown, (reason) => tell(`It could not be judged: ${reason.message}.`));
+}
+
 // ---- for the speaker ------------------------------------------------------------------------------------
 
 function showNotes(page) {
@@ -221,18 +267,19 @@ const actions = {
         $("film").showModal();
         video.play().catch(() => {});
     },
+    line: () => worker() && openLine().catch(() => {}),
     theme,
     help: () => $("help").showModal(),
 };
 const KEYS = {
     ArrowRight: "next", ArrowDown: "next", PageDown: "next", " ": "next", Enter: "next", ArrowLeft: "back", ArrowUp: "back", PageUp: "back", Backspace: "back",
     Home: "first", End: "last", f: "full", F5: "full", s: "speaker", o: "overview", g: "jump", b: "black", ".": "black", d: "pen", c: "clear", n: "numbers", v: "film",
-    t: "theme", "?": "help",
+    t: "theme", p: "line", "?": "help",
 };
 
 function setUpKeys() {
     addEventListener("keydown", (event) => {
-        const isTyping = event.composedPath()[0].matches?.("input, video, a, button:not(.handle)") && ![..."gsobdcvt?", "PageDown", "PageUp"].includes(event.key);
+        const isTyping = event.composedPath()[0].matches?.("input, video, a, button:not(.handle)") && ![..."gsobdcvtp?", "PageDown", "PageUp"].includes(event.key);
         const name = KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
         if (event.key === "Escape" && root.classList.contains("overview"))
             actions.overview();
@@ -252,6 +299,8 @@ function setUpKeys() {
         });
     }
     $("black").addEventListener("click", actions.black);
+    $("judge-line").addEventListener("click", judgeLine);
+    $("line").addEventListener("keydown", (event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && judgeLine());
     $("film").addEventListener("close", () => $("film").querySelector("video").pause());
     $("names").append(...pages.filter((page) => page.dataset.page === "1").map((page) => {
         const option = document.createElement("option");

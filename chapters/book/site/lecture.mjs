@@ -14,7 +14,7 @@ export function typeset(slides) {
 /** Keys, in the order of the help. */
 const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, End", "the first, the last"], ["F", "full screen"], ["S", "window for the speaker: notes, next slide, time"],
     ["O", "overview"], ["G", "go to a number or a name"], ["B .", "black screen"], ["D", "draw; again: stop"], ["C", "clear the drawing"], ["N", "numbers of the figure"],
-    ["V", "the film of the slide"], ["T", "light or dark"], ["?", "these keys"]];
+    ["V", "the film of the slide"], ["P", "paste a student's line: it is judged, and drawn"], ["T", "light or dark"], ["?", "these keys"]];
 
 /**
  * @param {{slides: string, films: string[], about: string, policy: string, isStatic: boolean}} given films: names of those that the site has; about: for a shared link
@@ -50,6 +50,8 @@ ${withFilms}</main>
 <aside id="speaker" hidden aria-label="For the speaker"><p class="time"><span id="clock"></span> <span id="planned"></span></p><div id="notes"></div><p id="following"></p></aside>
 <dialog id="jump"><form method="dialog"><label>Number or name <input list="names" autocomplete="off"></label><datalist id="names"></datalist></form></dialog>
 <dialog id="film"><video controls muted playsinline></video></dialog>
+<dialog id="line"><form method="dialog"><p><select aria-label="Function"></select> <button type="button" id="judge-line">Judge</button> <button>Close</button></p>
+<textarea rows="2" aria-label="A line, or a whole function" placeholder="what it returns, lines with a return, or the whole function" spellcheck="false"></textarea><output></output></form></dialog>
 <dialog id="help"><h2>Keys</h2><dl>${KEYS.map(([key, words]) => `<div><dt>${key.split(" ").map((each) => `<kbd>${escape(each)}</kbd>`).join(" ")}</dt><dd>${escape(words)}</dd></div>`).join("")}</dl></dialog>
 <p class="aloud" role="status" id="spoken"></p>
 </body>

@@ -225,7 +225,7 @@ if (!isHandout) {
         for (const theme of ["", "-dark"])
             copyFileSync(join(drawnFolder, name.replace(/(-4x3)?-step\d+$/, ""), `${name}${theme}.svg`), join(site, `lecture/${name}${theme}.svg`));
     }
-    for (const [, path] of slides.matchAll(/src="(chapters\/[^"]*\.png)"/g))
+    for (const [, path] of slides.matchAll(/src="([^"]*\.png)"/g))
         used.add(path);
     const films = existsSync(filmsFolder) ? readdirSync(filmsFolder).filter((name) => existsSync(join(filmsFolder, name, `${name}.mp4`))) : [];
     mkdirSync(join(site, "films"), { recursive: true });

@@ -40,15 +40,15 @@ def scripts(folder):
         Path(right).write_text(printed(mistaken, -1, *figure), encoding="utf-8")
         mistakes = [line.split("\t") for line in printed(mistaken, "list").splitlines()]
         called = printed(mistaken, -1, *figure, "--answers").split()
-        stems = {stem for stem, exercise, _, _ in mistakes if exercise in called}
+        stems = {stem for stem, exercise, *_ in mistakes if exercise in called}
         seen = set()
         for i in [i for i, (stem, *_) in enumerate(mistakes) if stem in stems][7 * number % every::every]:
-            _, exercise, mistake, words = mistakes[i]
+            _, exercise, mistake, formula, why, _ = mistakes[i]
             command = (mistaken, i, *figure, "--beside", right)
             script = printed(*command)
             if script and script not in seen:
                 seen.add(script)
-                yield name, printed(*command, "--note", words), f"{exercise} {mistake}"
+                yield name, printed(*command, "--note", f"{exercise} looks like {formula}: {why}"), f"{exercise} {mistake}"
 
 
 def found_in(job):

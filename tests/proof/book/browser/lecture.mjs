@@ -46,6 +46,19 @@ test("a question is shown before its answer", async () => {
     await tab.close();
 });
 
+test("each part ends with a question to the class, whose answer is not among its first words", async () => {
+    const parts = [...new Set([...html.matchAll(/<span>([^<]*) · \d+ of \d+</g)].map(([, part]) => part))].slice(1);
+    const asked = [...html.matchAll(/<section [^>]*id="(ask-[^"/]*)"[^]*?<span>([^<]*) · question</g)];
+    assert.deepEqual([...new Set(asked.map(([, , part]) => part))], parts);
+    const tab = await open(`#${asked[0][1]}`);
+    const before = (await shown(tab)).words;
+    assert.match(before, /By which\?\nA .*\nB .*\nC .*\nD /);
+    assert.doesNotMatch(before, /It was/);
+    assert.match((await press(tab, "ArrowRight")).words, /It was [A-D]: .*\nRight is [A-D]\./);
+    assert.ok(await tab.$$eval(".shown .picture img", (images) => images.length === 2 && images.every((each) => each.complete && each.naturalWidth > 0)));
+    await tab.close();
+});
+
 test("a number and a name lead to their slide", async () => {
     const tab = await open();
     await press(tab, "g");
@@ -91,6 +104,22 @@ test("a figure is dragged, and stays so on the next step", async () => {
     const after = await waitFor("another origin", async () => { const now = await state(); return now && now.value !== before.value && now; });
     await press(tab, "PageDown");
     await waitFor("the same figure", async () => (await state())?.value === after.value);
+    await tab.close();
+});
+
+test("a student's line is judged and drawn", async () => {
+    const tab = await open("#screen-to-unit");
+    const judged = async (words, wanted) => {
+        await tab.$eval("#line textarea", (each, text) => { each.value = text; }, words);
+        await tab.click("#judge-line");
+        return waitFor(wanted, () => tab.$eval("#line output", (each, text) => each.innerText.includes(text) && each.innerText, wanted));
+    };
+    await press(tab, "p");
+    assert.equal(await waitFor("the slide's function", () => tab.$eval("#line select", (each) => each.selectedOptions[0]?.text)), "Normalized screen_to_normalized(ScreenPoint point, Resolution screen)");
+    assert.match(await judged("{point.x / screen.width, point.y / screen.height}", "✗"), /y counts down from the top[^]*expected \(/);
+    await waitFor("its figure", () => tab.$eval("#line output", (each) => each.querySelector("img")?.naturalWidth > 0));
+    assert.match(await judged("return (Normalized){point.x / width, 0};", "Not judged"), /width/);
+    await judged("double y = point.y / screen.height;\nreturn (Normalized){point.x / screen.width, 1 - y};", "✓ Right");
     await tab.close();
 });
 
