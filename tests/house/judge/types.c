@@ -80,6 +80,7 @@ END_TEST
 TEST(types, what_is_no_value_is_refused)
 {
     static double half[] = {1, 2, 3, 4, 0.5}, large[] = {1, 2, 3, 4, 300}, none[] = {3};
+    static double whole[] = {1, 2, 3, 4, 5, 6};
     static const struct {
         const char *what;
         const Type *type;
@@ -87,7 +88,8 @@ TEST(types, what_is_no_value_is_refused)
         double *at;
     } cases[] = {{"kind 0.5", &type_Plane, 5, half},
                  {"kind 300", &type_Plane, 5, large},
-                 {"no kind", &type_Plane, 4, half},
+                 {"no kind", &type_Plane, 4, whole},
+                 {"a number too many", &type_Plane, 6, whole},
                  {"three planes, and none follows", &type_Planes, 1, none}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         Numbers numbers = {.count = cases[i].count, .at = cases[i].at};
