@@ -216,13 +216,6 @@ TEST(object_quadratic, the_equation_of_the_ray_of_the_example)
     expect_object_quadratic(ray, sphere.radius, q, size);
 }
 
-// By hand: 1 + 1/4, 2 (-4 - 1/2), 16 + 1 - 1. The direction is not unit.
-TEST(object_quadratic, the_equation_of_the_ray_through_the_hits_drawn_in_the_deck)
-{
-    Ray ray = ray_of_the_deck(1, 0.5);
-    expect_object_quadratic(ray, 1, (Quadratic){1.25, -9, 16}, 1);
-}
-
 // By hand: 4 + 1 + 4, 2 (2 - 2 - 6), 1 + 4 + 9 - 9.
 TEST(object_quadratic, a_radius_of_3_and_a_direction_of_length_3)
 {
@@ -395,11 +388,6 @@ TEST(quadratic_roots, a_parabola_that_stays_on_one_side_has_no_roots)
     }
 }
 
-TEST(quadratic_roots, if_b_is_0_the_roots_are_opposite)
-{
-    expect_roots_of((Quadratic){4, 0, -9}, two(-1.5, 1.5), TOLERANCE);
-}
-
 TEST(quadratic_roots, if_c_is_0_one_root_is_0)
 {
     expect_roots_of((Quadratic){2, -6, 0}, two(0, 3), TOLERANCE);
@@ -518,12 +506,6 @@ TEST(sphere_roots, a_line_that_passes_beside_a_sphere_does_not_meet_it)
         Aimed past = random_beside();
         expect_meetings(past.ray, past.sphere, no_roots, 0);
     }
-}
-
-TEST(sphere_roots, the_chord_is_twice_the_radius_times_the_cosine)
-{
-    for (int i = 0; i < 50; i++)
-        expect_aimed(random_aimed(random_number(0.1, 1000)));
 }
 
 // 3 away, with a radius of 2: 1 and 5 to go, with a direction that gets longer or shorter each

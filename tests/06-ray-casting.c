@@ -389,13 +389,6 @@ TEST(nearest_hit, what_is_behind_the_eye_is_not_hit)
     expect_nearest(along_minus_z(0, 0, 0), &behind, NO_HIT, -1);
 }
 
-TEST(nearest_hit, if_nothing_is_hit_t_is_no_hit_and_the_sphere_is_none)
-{
-    Sphere spheres[] = {sphere_at(5, 0, -5, 1, RED), sphere_at(-5, 0, -5, 1, GREEN)};
-    Scene scene = scene_of(2, spheres);
-    expect_nearest(along_minus_z(0, 0, 0), &scene, NO_HIT, -1);
-}
-
 TEST(nearest_hit, in_an_empty_scene_nothing_is_hit)
 {
     Scene scene = scene_of(0, NULL);
@@ -442,24 +435,6 @@ TEST(nearest_hit, from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere
     expect_nearest(ray, &scene, 7, 0);
     ray.direction = vec3_of(0, 0.6, -0.8);
     expect_nearest(ray, &scene, 4, 1);
-}
-
-TEST(nearest_hit, of_spheres_one_behind_the_other_the_nearest_is_hit)
-{
-    int hits = 0;
-    for (int i = 0; i < 40 || hits < 10; i++) {
-        Sphere spheres[SHELLS];
-        Camera camera = random_camera();
-        random_shells(camera, spheres);
-        Scene scene = scene_of(SHELLS, spheres);
-        Resolution size = {16, 9};
-        Ray ray = pixel_ray(camera, size, random_pixel(size));
-        int seen = shell_seen(ray.origin, ray.direction, SHELLS, spheres);
-        if (seen == -2)
-            continue;
-        expect_nearest(ray, &scene, t_seen(ray, spheres, seen), seen);
-        hits += seen >= 0;
-    }
 }
 
 // ---- both orders: what the picture shows -------------------------------------------------------
