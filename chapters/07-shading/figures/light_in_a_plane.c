@@ -247,7 +247,7 @@ static const double low = 0.45;         // what is below is not shown
 static Ray unlucky_ray(Sphere sphere, Light light, vec3 eye)
 {
     Ray ray = {eye, top - eye};
-    for (int i = 0; i < 10000; i++, ray.origin += vec3_of(1e-10, 1e-10, 0)) {
+    for (int i = 0; i < 10000; i++, ray.origin += vec3_of(1e-13, 1e-13, 0)) {
         double t = hit_sphere(ray, sphere);
         vec3 point = ray.origin + t * ray.direction;
         if (t < NO_HIT && hit_sphere(ray_to_light(point, light), sphere) < 1)
