@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """record.py - writes into a folder what a built tree of the toolkit says, draws and marks.
 
-Two versions that should look the same to everybody are compared by it: a record of each, then compare.py.
+Two versions that should look the same to everybody are compared by it: a record of each, then diff -rU0 -F '^== '.
+Of two pictures that differ, tests/house/figures/png.py says in how many pixels.
 
     record.py TREE FOLDER [--only PART,...]
 
