@@ -151,15 +151,6 @@ TEST(image_plane_vector, a_place_just_beside_the_middle_or_an_edge_is_right)
         expect_place(tilted_camera(), shares[i], shares[5 - i], tolerance);
 }
 
-TEST(image_plane_vector, every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
-{
-    for (int i = 0; i < 50; i++) {
-        Camera c = random_camera();
-        double s = random_number(-1, 2);
-        expect_place(c, s, random_number(-1, 2), tolerance);
-    }
-}
-
 // Beyond the plane the same formula holds, however far.
 TEST(image_plane_vector, every_place_in_worlds_of_any_size)
 {

@@ -998,12 +998,6 @@ static void why_of(char *why, size_t size, Diagnosis diagnosis)
     replace_all(why, size, "- ", "\u2212 ");
 }
 
-// From the beginning.
-static Numbers again(const Numbers *numbers)
-{
-    return (Numbers){.count = numbers->count, .at = numbers->at};
-}
-
 void figure_write(const char *folder, const Record *record, const Numbers *yours,
                   Diagnosis diagnosis)
 {
@@ -1012,8 +1006,9 @@ void figure_write(const char *folder, const Record *record, const Numbers *yours
     const Question *stopped_at = question_of(record);
     if (record->hidden || record->missing[0] != '\0' || yours == NULL || stopped_at == NULL)
         return;
-    Numbers question = again(&stopped_at->arguments), right = again(&stopped_at->results[0]);
-    Numbers answer = again(yours);
+    Numbers question = numbers_again(&stopped_at->arguments),
+            right = numbers_again(&stopped_at->results[0]);
+    Numbers answer = numbers_again(yours);
     why_of(why, sizeof why, diagnosis);
     Wrong wrong = {function, &stopped_at->corners, &question, &right, &answer, why, NULL, false};
     bool is_picture = strncmp(exercise_of(&wrong)->results, "Pixels", 6) == 0;

@@ -22,12 +22,6 @@ const double *law_right(void)
     return asked->results[0].at;
 }
 
-// From the beginning.
-static Numbers again(const Numbers *numbers)
-{
-    return (Numbers){.count = numbers->count, .at = numbers->at};
-}
-
 static void get_your_results(int exercise, void *yours, void *const *arguments)
 {
     get_results(&your_results, exercise, yours, arguments);
@@ -35,7 +29,7 @@ static void get_your_results(int exercise, void *yours, void *const *arguments)
 
 static void get_right(int exercise, void *right)
 {
-    Numbers numbers = again(&asked->results[0]);
+    Numbers numbers = numbers_again(&asked->results[0]);
     numbers_get(&numbers, exercises[exercise].result, right);
 }
 
@@ -74,7 +68,7 @@ void law_check(int exercise, const Question *question, const Numbers *yours)
     if (yours->count != question->results[0].count || !law_begin())
         return;
     numbers_clear(&ignored);
-    Numbers arguments = again(&question->arguments);
-    your_results = again(yours);
+    Numbers arguments = numbers_again(&question->arguments);
+    your_results = numbers_again(yours);
     apply(exercise, laws[exercise], &arguments, &ignored);
 }

@@ -97,7 +97,7 @@ void get_results(Numbers *numbers, int number, void *result, void *const *argume
 Resolution image_size(int number, const Numbers *arguments)
 {
     const Exercise *exercise = &exercises[number];
-    Numbers rest = {.count = arguments->count, .at = arguments->at};
+    Numbers rest = numbers_again(arguments);
     Resolution size = {0, 0};
     for (int i = 0; i < exercise->parameter_count; i++) {
         _Alignas(32) unsigned char value[TYPE_MOST_BYTES];

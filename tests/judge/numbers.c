@@ -65,6 +65,11 @@ bool numbers_are_read(const Numbers *numbers)
     return !numbers->bad && numbers->read == numbers->count;
 }
 
+Numbers numbers_again(const Numbers *numbers)
+{
+    return (Numbers){.count = numbers->count, .at = numbers->at};
+}
+
 // ---- values ------------------------------------------------------------------------------------
 
 static size_t pixels_of(const Image *image)

@@ -29,6 +29,7 @@ void numbers_free(Numbers *numbers);
 Numbers numbers_copy(const Numbers *numbers);
 bool numbers_make_room(Numbers *numbers, uint64_t count); // false if there is no memory
 bool numbers_are_read(const Numbers *numbers);            // to their end, and nothing was invalid
+Numbers numbers_again(const Numbers *numbers); // the same ones, to be read from the beginning
 
 // ---- values ------------------------------------------------------------------------------------
 

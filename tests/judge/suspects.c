@@ -337,9 +337,7 @@ static bool is_usual(const Evidence *evidence, int mistake)
 static Diagnosis in_part(const Evidence *evidence, int shown)
 {
     int count = evidence->mistake_count, found = -1, others = 0;
-    bool *possible = calloc((size_t)count + 1, sizeof *possible);
-    if (possible == NULL)
-        abort();
+    bool possible[MOST_MISTAKES];
     for (int i = 0; i < count; i++)
         possible[i] = !is_contradicted(evidence, i);
     for (int i = 0; i < count; i++) {
@@ -352,7 +350,6 @@ static Diagnosis in_part(const Evidence *evidence, int shown)
         else
             others += speaking > 0;
     }
-    free(possible);
     if (found < 0 || others > 0 || !is_usual(evidence, found) ||
         (shown >= 0 && !evidence->calls[shown].theirs[found].is_yours))
         return (Diagnosis){0};
@@ -611,14 +608,11 @@ static const char *what_changes(const Evidence *evidence, bool changed_since)
 
 enum { MANY = 8 }; // calls
 
-static bool is_always_the_same(const Evidence *evidence, int places)
+static bool is_always_the_same(const Evidence *evidence)
 {
-    for (int i = 1; i < evidence->call_count; i++) {
-        const double *first = evidence->calls[0].yours.at, *yours = evidence->calls[i].yours.at;
-        for (int k = 0; k < places; k++)
-            if (evidence->calls[i].yours.count < places || !same_double(first[k], yours[k]))
-                return false;
-    }
+    for (int i = 1; i < evidence->call_count; i++)
+        if (!numbers_same(&evidence->calls[0].yours, &evidence->calls[i].yours))
+            return false;
     return evidence->call_count >= MANY;
 }
 
@@ -626,12 +620,11 @@ static bool is_always_the_same(const Evidence *evidence, int places)
 static bool is_argument(const Evidence *evidence, int from)
 {
     for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
-        if (call->arguments.count < from + call->yours.count)
+        const Numbers *arguments = &evidence->calls[i].arguments,
+                      *yours = &evidence->calls[i].yours;
+        const Numbers part = {.count = yours->count, .at = arguments->at + from};
+        if (arguments->count < from + yours->count || !numbers_same(&part, yours))
             return false;
-        for (int k = 0; k < call->yours.count; k++)
-            if (!same_double(call->arguments.at[from + k], call->yours.at[k]))
-                return false;
     }
     return evidence->call_count >= MANY;
 }
@@ -649,29 +642,38 @@ static bool is_one_color(const Evidence *evidence, bool has_depth)
     return evidence->call_count >= MANY;
 }
 
+// Of a function that may refuse: the reason for which it did so in every call; CAMERA_OK: none.
+static CameraFault one_refusal(const Evidence *evidence)
+{
+    if (strncmp(exercises[evidence->exercise].results, "CameraFault", 11) != 0)
+        return CAMERA_OK;
+    for (int i = 0; i < evidence->call_count; i++)
+        if (evidence->calls[i].yours.at[0] != evidence->calls[0].yours.at[0])
+            return CAMERA_OK;
+    return evidence->call_count > 0 ? (CameraFault)evidence->calls[0].yours.at[0] : CAMERA_OK;
+}
+
 static const char *what_is_trivial(const Evidence *evidence)
 {
     static char words[300];
     const char *results = exercises[evidence->exercise].results;
-    if (evidence->call_count == 0)
-        return NULL;
-    const Numbers *yours = &evidence->calls[0].yours;
     if (strncmp(results, "Pixels", 6) == 0)
         return is_one_color(evidence, strcmp(results, "Pixels") != 0)
                    ? "every pixel of your picture has the same colour, whatever is in the scene"
                    : NULL;
     if (strncmp(results, "CameraFault", 11) == 0) {
-        int fault = (int)yours->at[0];
-        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || !is_always_the_same(evidence, 1))
+        CameraFault fault = one_refusal(evidence);
+        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || evidence->call_count < MANY)
             return NULL;
         snprintf(words, sizeof words,
                  "your function refuses all arguments, always for the same reason: %s",
-                 camera_fault_text((CameraFault)fault));
+                 camera_fault_text(fault));
         return words;
     }
-    if (is_always_the_same(evidence, yours->count))
+    if (is_always_the_same(evidence))
         return "your function returns the same result in every call, whatever its arguments are";
-    for (int from = 0; from < evidence->calls[0].arguments.count; from++)
+    for (int from = 0; evidence->call_count > 0 && from < evidence->calls[0].arguments.count;
+         from++)
         if (is_argument(evidence, from))
             return "your function returns one of its arguments unchanged";
     return NULL;
@@ -830,19 +832,6 @@ const char *suspect_differs(void)
         if (!evidence.calls[i].extra && !evidence.calls[i].is_right)
             return evidence.calls[i].name;
     return NULL;
-}
-
-// Whether a function that may refuse did so in every call, for the same reason.
-static bool is_one_refusal(void)
-{
-    if (strncmp(exercises[evidence.exercise].results, "CameraFault", 11) != 0)
-        return false;
-    for (int i = 0; i < evidence.call_count; i++) {
-        double reason = evidence.calls[i].yours.at[0];
-        if (reason == CAMERA_OK || reason != evidence.calls[0].yours.at[0])
-            return false;
-    }
-    return evidence.call_count > 0;
 }
 
 // ---- laws --------------------------------------------------------------------------------------
@@ -1014,7 +1003,7 @@ Diagnosis diagnose(int exercise, bool hidden)
     bool heard = is_consistent(exercise, shown);
     // Many mistakes end in the same refusal, whatever the arguments: then none of them is named.
     // Nor is one of two that no test distinguishes, which the matrix rejects.
-    if (heard && !is_one_refusal() && suspect(1, false) == NULL)
+    if (heard && one_refusal(&evidence) == CAMERA_OK && suspect(1, false) == NULL)
         it.mistake = suspect(0, false);
     if (it.mistake == NULL)
         it = look_closer(exercise, shown, hidden);
