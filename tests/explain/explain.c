@@ -7,10 +7,11 @@
 //
 // Each message is of some kinds (the table kinds). Messages that only follow from another are
 // dropped (the table consequences). The others are shown, each with the first line of help that
-// holds (the table in rules.c).
+// holds (the table rules): nothing false is printed, because each rule depends on the compiler's
+// words and, if that is not enough, on the code.
 #include "tests/explain/explain.h"
 
-#include "tests/explain/parts.h"
+#include "tests/explain/source.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -18,9 +19,98 @@
 
 enum { MOST_SHOWN = 3, COLUMNS = 79, MOST_SLIPS = 50 };
 
+// A line of help is not wrapped at its blanks.
+#define UNBROKEN "\001"
 #define MACRO "^ *# *define +([A-Za-z_0-9]+)"
+// The name after the dot or the arrow at the caret: its third group.
+#define PART "^((\\.|->) *)?([A-Za-z_0-9]+)"
 
-Explanation all;
+// ---- a compiler's message about the answer ------------------------------------------------------
+
+// The text in single quotes: the first, and the second.
+#define QUOTED "'([^']*)"
+#define SECOND_QUOTED "^[^']*'[^']*'[^']*'([^']*)"
+// Of code.
+#define AHEAD_OF_EQUALS "^([^=]*[^= ]) *="
+// What a compiler writes below the code that it quotes.
+#define CARET_LINE "^[ |~]*\\^"
+
+// What a message is about. It can be of several kinds.
+enum {
+    ANY = 0,
+    UNKNOWN_FUNCTION = 1 << 0, // nobody has declared the name
+    UNKNOWN_TYPE = 1 << 1,
+    UNKNOWN_VARIABLE = 1 << 2,
+    UNKNOWN = UNKNOWN_FUNCTION | UNKNOWN_TYPE | UNKNOWN_VARIABLE,
+    SLIDES_LETTER = 1 << 3, // the name is a letter of the slides
+    OTHER_LETTER = 1 << 4,  // or another letter
+    LACKS_CONTRACT = 1 << 5,
+    SYNTAX = 1 << 6,
+    SEMICOLON = 1 << 7,
+    PASTED = 1 << 8,     // a character that is not C
+    MISSPELLED = 1 << 9, // a keyword
+    MISSING_BRACE = 1 << 10,
+    OUTSIDE = 1 << 11, // of every function
+    COUNT = 1 << 12,   // of arguments
+    ARGUMENT = 1 << 13,
+    CONFLICT = 1 << 14, // with another declaration
+    STATIC = 1 << 15,   // so is this, but only by that word
+    MISSING_RETURN = 1 << 16,
+    UNUSED_VALUE = 1 << 17,
+    COMMA = 1 << 18,        // the operator
+    DECIMAL = 1 << 19,      // comma: 0,5
+    ENDS_AT_ONCE = 1 << 20, // a loop
+    ARROW = 1 << 21,
+    UNTERMINATED = 1 << 22,
+    AT_END = 1 << 23,
+    VECTOR = 1 << 24,        // where a number is expected
+    TYPES = 1 << 25,         // one is expected, and another given
+    WANTS_POINTER = 1 << 26, // to the given type
+    GIVES_POINTER = 1 << 27, // to the expected type
+    WARNING = 1 << 28,
+    ERROR = 1 << 29 // and not a missing return or }
+};
+
+typedef struct {
+    const char *first_line; // FILE:LINE:COLUMN: error: WORDS
+    const char *text;       // its words
+    const char *name;       // the first of them in quotes
+    bool is_warning;
+    size_t line, column;
+    Lines body;         // the quote, what is below it, and the notes
+    const char *ahead;  // the quoted line before the caret, without the margin
+    const char *behind; // and from the caret on
+
+    // Of notes about other files.
+    const char *library;  // <math.h>
+    const char *argument; // "expected 'vec3' but argument is of type 'double'"
+    const char *declared; // the function that is called
+
+    unsigned kinds;
+    bool is_dropped;            // only follows from another
+    const char *code;           // of its line
+    size_t begins;              // where its function begins, or 0
+    size_t statement;           // and its statement
+    const char *translation;    // of a letter of the slides: "d is c.distance"; or ""
+    const char *slip;           // perhaps a misspelled keyword,
+    const char *keyword;        // and that keyword, or ""
+    const char *decimal;        // 0,5 or ""
+    const char *declares;       // the name after a misspelled type, or ""
+    const char *wanted, *given; // types, or ""
+} Mistake;
+
+enum { MOST_READ = 60 }; // the other messages are only counted
+
+typedef struct {
+    Mistake mistakes[MOST_READ];
+    size_t count, unread;
+    const char *elsewhere;      // an error in another file, or ""
+    const char *where_included; // "FILE:LINE" of the answer, from which that came; or ""
+    Lines raw;                  // whatever else looks like an error
+    size_t open_function;       // where the function begins that lacks a }, or 0
+} Explanation;
+
+static Explanation all;
 
 // ---- kinds -------------------------------------------------------------------------------------
 
@@ -310,6 +400,81 @@ static void find_keyword(Mistake *mistake)
         mistake->kinds |= MISSPELLED | SYNTAX;
 }
 
+// ---- the deck's letters, and parts without their whole -----------------------------------------
+
+// The part of a Camera, Ray, Sphere or Resolution that has this letter on the slides, or "".
+static const char *part_of_deck(const char *type, const char *letter)
+{
+    static const struct {
+        const char *type, *letter, *part;
+    } deck[] = {
+        {"Camera", "p", "origin"},    {"Camera", "r", "right"},    {"Camera", "u", "up"},
+        {"Camera", "f", "forward"},   {"Camera", "d", "distance"}, {"Camera", "w", "width"},
+        {"Camera", "h", "height"},    {"Ray", "p", "origin"},      {"Ray", "v", "direction"},
+        {"Sphere", "c", "center"},    {"Sphere", "r", "radius"},   {"Resolution", "W", "width"},
+        {"Resolution", "H", "height"}};
+    for (size_t i = 0; i < sizeof deck / sizeof *deck; i++)
+        if (text_is(deck[i].type, type) && text_is(deck[i].letter, letter))
+            return deck[i].part;
+    return "";
+}
+
+// A camera that is given as a pointer is made there: it has no parts yet.
+static bool has_parts_yet(const Variable *variable)
+{
+    return !(text_is(variable->type, "Camera") && variable->is_pointer);
+}
+
+static const char *one_or_the_other(const char *found, const char *other)
+{
+    return found[0] == '\0' ? other : text_format("%s or %s", found, other);
+}
+
+// camera.width or camera->width
+static const char *part_of(const Variable *variable, const char *part)
+{
+    return text_format("%s%s%s", variable->name, variable->is_pointer ? "->" : ".", part);
+}
+
+// A letter that nobody declared, by the names of this function: "d is c.distance"; or "". others:
+// the letters that mean nothing in it, separated by ", ".
+static const char *translated(const char *letter, size_t line, const char *others)
+{
+    const char *found = "";
+    // With a and b, c is that of the quadratic.
+    bool is_quadratic = text_is(letter, "c") && text_matches(others, "[ab]");
+    for (const Variable *one = NULL; (one = variable_after(one, line)) != NULL;) {
+        const char *part = is_quadratic ? "" : part_of_deck(one->type, letter);
+        if (part[0] != '\0' && has_parts_yet(one))
+            found = one_or_the_other(found, part_of(one, part));
+        else if (one->is_parameter && text_matches(text_format("%s %s", letter, one->name),
+                                                   "^(r radius|d distance|p eye)$"))
+            found = one_or_the_other(found, one->name);
+    }
+    return found[0] == '\0' ? "" : text_format("%s" UNBROKEN "is" UNBROKEN "%s", letter, found);
+}
+
+// Where in this line a value has a part of this name: "camera.width or view.width", or "". owner:
+// their type, "" if there are several.
+static const char *whole_of(const char *part, size_t line, const char **owner)
+{
+    const char *found = *owner = "";
+    for (const Variable *one = NULL; (one = variable_after(one, line)) != NULL;) {
+        // Its own parts, or image->size.width.
+        const Variables *fields = &declared(one->type, TYPE)->fields;
+        for (size_t i = 0; has_parts_yet(one) && i < fields->count; i++) {
+            const Variable *field = &fields->item[i];
+            bool is_own = text_is(field->name, part);
+            if (!is_own && (field->is_pointer || declared_field(field->type, part) == NULL))
+                continue;
+            const char *type = is_own ? one->type : field->type, *whole = part_of(one, field->name);
+            *owner = found[0] == '\0' || text_is(*owner, type) ? type : "";
+            found = one_or_the_other(found, is_own ? whole : text_format("%s.%s", whole, part));
+        }
+    }
+    return found;
+}
+
 // ---- types and letters -------------------------------------------------------------------------
 
 // Which type was wanted and which was given, if the message says so.
@@ -364,6 +529,23 @@ static const char *letter_of_whole(const Mistake *mistake)
                : text_format("%s" UNBROKEN "is" UNBROKEN "%s.%s", letter, name, part);
 }
 
+// The letters of the mistakes in a function, of the kind: "a, b" or "d is c.distance, w is
+// c.width".
+static const char *letters(unsigned kind, size_t begins)
+{
+    Lines list = {NULL, 0};
+    const char *text = "";
+    for (size_t i = 0; i < all.count; i++) {
+        const Mistake *mistake = &all.mistakes[i];
+        const char *letter = kind == OTHER_LETTER ? mistake->name : mistake->translation;
+        if (!(mistake->kinds & kind) || mistake->begins != begins || lines_have(&list, letter))
+            continue;
+        text = text_format("%s%s%s", text, list.count == 0 ? "" : ", ", letter);
+        lines_add(&list, letter);
+    }
+    return text;
+}
+
 static void find_letter(Mistake *mistake)
 {
     const char *owner, *name = mistake->name;
@@ -377,21 +559,6 @@ static void find_letter(Mistake *mistake)
         mistake->kinds |= SLIDES_LETTER;
     else if (is_letter && whole_of(name, line, &owner)[0] == '\0')
         mistake->kinds |= OTHER_LETTER;
-}
-
-const char *letters(unsigned kind, size_t begins)
-{
-    Lines list = {NULL, 0};
-    const char *text = "";
-    for (size_t i = 0; i < all.count; i++) {
-        const Mistake *mistake = &all.mistakes[i];
-        const char *letter = kind == OTHER_LETTER ? mistake->name : mistake->translation;
-        if (!(mistake->kinds & kind) || mistake->begins != begins || lines_have(&list, letter))
-            continue;
-        text = text_format("%s%s%s", text, list.count == 0 ? "" : ", ", letter);
-        lines_add(&list, letter);
-    }
-    return text;
 }
 
 static void understand(Mistake *mistake)
@@ -540,6 +707,793 @@ static void explanation_read(const char *source, const char *words)
                 all.mistakes[j].is_dropped = true;
 }
 
+// ---- names that are known elsewhere ------------------------------------------------------------
+
+typedef struct {
+    const char *meant, *names;
+} Names;
+
+// Names that students know from other languages, and the function here.
+static const Names known_names[] = {
+    {"vec3_dot", "dot dotp dot_product dotProduct vec3Dot vec_dot scalar_product"},
+    {"vec3_cross", "cross crossp cross_product crossProduct vec3Cross vec_cross"},
+    {"vec3_length",
+     "length len norm magnitude mag vec3_norm vec3_len vec3_magnitude vec_length abs_vec3"},
+    {"vec3_unit", "unit unit_vector normalize normalise normalized vec3_normalize vec3_normalise "
+                  "vec3_normalized vec_normalize"},
+    {"vec3_of", "vec vec_of make_vec3 new_vec3 vec3_new vec3_make vec3_create Vec3 Vector vector"},
+    {"printf, of <stdio.h>", "print println echo cout console"},
+    {"fmax, of <math.h>", "max maximum"},
+    {"fmin, of <math.h>", "min minimum"},
+    {"INFINITY, of <math.h>", "infinity Infinity INF inf HUGE"},
+    {"true", "True TRUE"},
+    {"false", "False FALSE"},
+};
+
+// Not every compiler names the header of the C library that declares a function.
+static const Names library[] = {
+    {"<stdio.h>", "printf fprintf sprintf snprintf puts putchar fputs scanf fflush stdout stderr"},
+    {"<stdlib.h>", "malloc calloc realloc free exit rand srand qsort atof atoi"},
+    {"<string.h>", "memcpy memset memcmp strlen strcmp"},
+    {"<math.h>", "sqrt fabs tan sin cos atan atan2 acos asin pow floor ceil round fmin fmax hypot "
+                 "exp log isnan isfinite signbit copysign INFINITY NAN"},
+    {"<stdbool.h>", "bool true false"},
+    {"<stddef.h>", "NULL size_t"},
+    {"<stdint.h>", "uint8_t"},
+    {"<float.h>", "DBL_MAX DBL_MIN DBL_EPSILON FLT_MAX FLT_EPSILON"},
+    {"<limits.h>", "INT_MAX INT_MIN"},
+    {"<assert.h>", "assert"},
+};
+
+static const char *meant_by(const char *name, const Names *names, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (text_word(names[i].names, name) != NULL)
+            return names[i].meant;
+    return "";
+}
+
+// ---- types -------------------------------------------------------------------------------------
+
+static const char *with_article(char article, const char *type)
+{
+    return text_format("%c%s %s", article, strchr("AEIOUaeiou", type[0]) != NULL ? "n" : "", type);
+}
+
+// How a value of a type is written, or "".
+static const char *written(const char *type)
+{
+    const char *parts = declared(type, TYPE)->parts;
+    const char *how = text_is(type, "vec3")    ? "vec3_of(x, y, z)"
+                      : text_is(type, "Color") ? "vec3_of(r, g, b)"
+                      : parts[0] != '\0'       ? text_format("(%s){%s}", type, parts)
+                                               : "";
+    return text_replaced(how, " ", UNBROKEN);
+}
+
+// Of (Camera c, double s): a Camera and a double; or, named, Camera c and double s.
+static const char *listed(const Variable *list, size_t count, bool is_named)
+{
+    const char *text = "";
+    for (size_t i = 0; i < count; i++) {
+        const char *one = is_named ? text_format("%s" UNBROKEN "%s%s", list[i].type,
+                                                 list[i].is_pointer ? "*" : "", list[i].name)
+                                   : with_article('a', list[i].type);
+        text = text_format("%s%s%s", text, i == 0 ? "" : i + 1 < count ? ", " : " and ", one);
+    }
+    return text;
+}
+
+// " The parameters of NAME are Camera c, double s and double t."; "" if there are none.
+static const char *parameters(const Mistake *mistake)
+{
+    const Variable *first = variable_after(NULL, mistake->line);
+    size_t count = 0, most = answer.variables.count;
+    while (first != NULL && first + count < answer.variables.item + most &&
+           first[count].is_parameter && first[count].function == mistake->begins)
+        count++;
+    return count == 0 ? ""
+                      : text_format(" The parameter%s of %s %s %s.", count == 1 ? "" : "s",
+                                    answer_function(mistake->line)->name, count == 1 ? "is" : "are",
+                                    listed(first, count, true));
+}
+
+// The name with its parts that begins at the caret.
+static const char *expression_here(const Mistake *mistake)
+{
+    bool at_sign = text_matches(mistake->behind, "^(\\.|->)");
+    const char *before = at_sign ? text_expression_at_end(mistake->ahead) : "";
+    return text_group(text_format("%s%s", before, mistake->behind),
+                      "^[A-Za-z_][A-Za-z_0-9]*((\\.|->)[A-Za-z_][A-Za-z_0-9]*)*", 0);
+}
+
+// A struct in a sum or a product.
+static const char *struct_operand(const Mistake *mistake)
+{
+    const char *found = "";
+    Match quoted;
+    for (const char *at = mistake->text; text_find(at, QUOTED, &quoted); at += quoted.end) {
+        const char *type = bare_type(quoted.group[1]);
+        if (declared(type, TYPE)->parts[0] != '\0')
+            found = type;
+    }
+    return found;
+}
+
+// Whether two vectors are multiplied in this line.
+static bool has_vector_product(const Mistake *mistake)
+{
+    for (const char *at = mistake->code; (at = strchr(at, '*')) != NULL; at++) {
+        const char *left = text_part(mistake->code, 0, (size_t)(at - mistake->code));
+        left = text_expression_at_end(text_replaced(left, " +$", ""));
+        const char *right = text_group(at, "^\\* *([A-Za-z_0-9.]*(->[A-Za-z_0-9.]*)*)", 1);
+        if (text_is(type_of(left, mistake->line), "vec3") &&
+            text_is(type_of(right, mistake->line), "vec3"))
+            return true;
+    }
+    return false;
+}
+
+// ---- functions and their arguments -------------------------------------------------------------
+
+// Whose argument is wrong, or "".
+static const char *called(const Mistake *mistake)
+{
+    if (!text_matches(mistake->text, "argument|^passing"))
+        return "";
+    if (text_has(mistake->text, " of '"))
+        return mistake->name;
+    return text_group(text_without_brackets(mistake->ahead), "([A-Za-z_0-9]+)\\([^()]*$", 1);
+}
+
+// The arguments of a call, from after its bracket on.
+static Lines arguments_of(const char *text)
+{
+    Lines arguments = {NULL, 0};
+    int depth = 0;
+    for (size_t begin = 0, i = 0; text[i] != '\0' && depth >= 0; i++) {
+        depth += (strchr("({[", text[i]) != NULL) - (strchr(")}]", text[i]) != NULL);
+        if (depth < 0 || (text[i] == ',' && depth == 0)) {
+            lines_add(&arguments, text_part(text, begin, i - begin));
+            begin = i + 1;
+        }
+    }
+    return arguments;
+}
+
+static bool is_same_type(const char *type, const char *other)
+{
+    return text_is(type, other) || (is_number(type) && is_number(other));
+}
+
+// Whether the wrong ones of the arguments have the types that others of the wrong ones should have.
+static bool is_other_order(const Lines *arguments, const Variables *wanted, size_t line)
+{
+    enum { MOST = 20 };
+    const char *given[MOST];
+    bool is_wrong[MOST], has_wrong = false;
+    if (arguments->count != wanted->count || wanted->count > MOST)
+        return false;
+    for (size_t k = 0; k < wanted->count; k++) {
+        given[k] = type_of_argument(arguments->line[k], line);
+        is_wrong[k] = given[k][0] != '\0' && !is_same_type(given[k], wanted->item[k].type);
+        has_wrong = has_wrong || is_wrong[k];
+    }
+    for (size_t k = 0; k < wanted->count; k++) {
+        bool is_wanted = !is_wrong[k];
+        for (size_t l = 0; l < wanted->count; l++)
+            is_wanted = is_wanted || (is_wrong[l] && is_same_type(given[k], wanted->item[l].type));
+        if (!is_wanted)
+            return false;
+    }
+    return has_wrong;
+}
+
+// Whether a call, in this statement, has its arguments in another order than the prototype.
+static bool is_swapped(const Mistake *mistake)
+{
+    const char *text = answer_statement_text(mistake->line), *name = called(mistake);
+    const Variables *wanted = &declared(name, FUNCTION)->fields;
+    while ((text = text_word(text, name)) != NULL) {
+        text += strlen(name);
+        const char *call = text_group(text, "^ *\\((.*)", 1);
+        Lines arguments = arguments_of(call);
+        if (is_other_order(&arguments, wanted, mistake->line))
+            return true;
+    }
+    return false;
+}
+
+// Functions of this chapter and of earlier ones, except this one, that convert one type to another.
+static const char *makers(const Mistake *mistake)
+{
+    const char *wanted = mistake->wanted, *found = "";
+    for (size_t i = 0; declared(wanted, TYPE)->parts[0] != '\0' && i < headers.count; i++) {
+        const Declared *maker = &headers.item[i];
+        const char *arguments = strchr(maker->prototype, '(');
+        if (text_is(maker->type, wanted) && text_word(arguments, mistake->given) != NULL &&
+            text_word(arguments, wanted) == NULL && !text_has(arguments, "*") &&
+            !text_is(maker->name, answer_function(mistake->line)->name) &&
+            text_begins(maker->header, "exercises") && strcmp(maker->header, headers.contract) <= 0)
+            found = one_or_the_other(
+                found, text_format("%s (%s) makes %s of %s", maker->name, maker->header,
+                                   with_article('a', wanted),
+                                   listed(maker->fields.item, maker->fields.count, false)));
+    }
+    return found;
+}
+
+// Who wants which type: "hit_sphere gives back a double (exercises/05-quadratic.h), and this is a
+// Roots."
+static const char *what_is_wanted(const Mistake *mistake)
+{
+    const char *here = answer_function(mistake->line)->name, *function = called(mistake),
+               *header = declared(here, ANYTHING)->header,
+               *wanted = with_article('a', mistake->wanted);
+    const char *who = function[0] != '\0' ? text_format("%s expects %s there", function, wanted)
+                                          : text_format("%s is expected here", wanted);
+    if (text_has(mistake->text, "returning") && here[0] != '\0')
+        who = text_format("%s returns %s%s", here, wanted,
+                          header[0] != '\0' ? text_format(" (%s)", header) : "");
+    return text_format("%s, but this is %s", who, with_article('a', mistake->given));
+}
+
+// ---- names -------------------------------------------------------------------------------------
+
+// A name that differs only in its capitals: of a type, or of a constant. Of the exercises' headers,
+// those up to the contract are looked into.
+static const char *name_like(const Mistake *mistake)
+{
+    for (size_t i = 0; i < headers.count; i++) {
+        const char *other = headers.item[i].name, *header = headers.item[i].header;
+        if (strcasecmp(other, mistake->name) == 0 && !text_is(other, mistake->name) &&
+            (mistake->kinds & UNKNOWN_TYPE || text_matches(other, "^[A-Z][A-Z_0-9]+$")) &&
+            (!text_begins(header, "exercises") || strcmp(header, headers.contract) <= 0))
+            return other;
+    }
+    return "";
+}
+
+// The name that the compiler suggests.
+static const char *suggested(const Mistake *mistake)
+{
+    static const char suggestion[] = "did you mean '([A-Za-z_0-9]+)'";
+    const char *name = text_group(mistake->text, suggestion, 1);
+    for (size_t i = 0; i < mistake->body.count && name[0] == '\0'; i++)
+        name = text_group(mistake->body.line[i], suggestion, 1);
+    return strcasecmp(name, mistake->name) == 0 ? "" : name;
+}
+
+// Declared here, as far as the text shows, and not by a loop that has ended: the compiler lost it
+// because of another mistake.
+static bool is_lost(const Mistake *mistake)
+{
+    return variable_named(mistake->name, mistake->line) != NULL &&
+           answer_loop_of(mistake->name, mistake->line) == 0;
+}
+
+static bool is_parameter(const Mistake *mistake)
+{
+    size_t before = mistake->line > mistake->begins ? mistake->line - 1 : mistake->line;
+    const Variable *declared_before = variable_named(mistake->name, before);
+    return declared_before != NULL && declared_before->is_parameter;
+}
+
+// ---- other conditions, and helps with more to find out -----------------------------------------
+
+static bool has_comma(const Mistake *mistake)
+{
+    for (size_t i = 0; i < all.count; i++)
+        if (all.mistakes[i].kinds & COMMA && all.mistakes[i].statement == mistake->statement)
+            return mistake->kinds & COMMA || mistake->wanted[0] != '\0';
+    return false;
+}
+
+#define NO_STAR "^(invalid type argument of unary '\\*'|indirection requires pointer)"
+
+// What is wrong with x^2 and with x**2; or "".
+static const char *power_sign(const Mistake *mistake)
+{
+    if (text_begins(mistake->text, "invalid operands to binary") && mistake->behind[0] == '^')
+        return "^ is exclusive or in C";
+    return text_matches(mistake->text, NO_STAR) && text_has(mistake->code, "**") ? "C has no **"
+                                                                                 : "";
+}
+
+// The line of the loop, or the if, that ends at once: of the mistake, or where its name is
+// declared.
+static size_t ended_loop(const Mistake *mistake)
+{
+    size_t line =
+        mistake->kinds & UNKNOWN ? answer_loop_of(mistake->name, mistake->line) : mistake->line;
+    return answer_ends_at_once(line) ? line : 0;
+}
+
+// ---- the rules ---------------------------------------------------------------------------------
+
+// Of abs, which compiles if <stdlib.h> is included, and loses the digits after the point.
+#define INTEGER_ABS "abs is for whole numbers. For a double, write fabs (#include <math.h>)."
+#define LOST_COMMA "the value of (a, b) is b alone: the part before the comma is lost."
+#define LOST_RETURN "the function ends without return: its return value is then undefined."
+#define DECLARE_NEW "declare a new variable with its type, as in double x or vec3 v."
+#define LIKE_CALL "A variable gets its value by =, as in Pixel pixel = {column, row};"
+#define VECTOR_GIVEN                                                                               \
+    "this is a vector, but a number is expected. v * w is also a vector; for a number, write "     \
+    "vec3_dot(v, w), vec3_length(v) or v[0]."
+#define PROTOTYPE " Its prototype is  {PROTOTYPE CALLED}  in {HEADER CALLED}."
+#define WHOSE_PARTS ", whose parts are {PARTS AHEAD_TYPE}.{LOOK?}"
+#define ENDED_LOOP ": the next statement is no longer part of it. Remove the ;."
+#define NOTHING "nothing here is called "
+
+#define WRONG_ARROW                                                                                \
+    "invalid type argument of '->'|^member reference type .* is (not )?a pointer|"                 \
+    "is a pointer; did you mean"
+#define NO_PARTS "^request for member|^member reference base type"
+#define OTHER_MEMBER "no member named|does not refer to any field"
+#define TYPE_FOUND "^(unexpected type name|expected expression.*'[A-Za-z])"
+
+// The first rule that holds gives the help. Patterns: of the compiler's words, of what is quoted
+// ahead of the caret and behind it, of the code of the line and of the line before, of the first
+// name that the compiler quotes; NULL: of any. kinds: only of such a mistake.
+//
+// In the help, {WORD} is filled in (the table is in find_words), or what a header says of it:
+// {PARTS WORD}. A rule whose help has a word without a meaning does not hold, unless the word is
+// written {WORD?}.
+typedef struct {
+    unsigned kinds;
+    const char *words, *ahead, *behind, *code, *before, *name;
+    const char *needs; // a word like those of the help
+    const char *help;  // "": there is none
+} Rule;
+
+static const Rule rules[] = {
+    {PASTED, .help = "a character that is not C was pasted there: a dash, a quote, a sign or a "
+                     "space that only looks like one. Delete it and type it again."},
+    {MISSPELLED, .help = "{SLIP} is misspelled: {KEYWORD}."},
+    {DECIMAL, .help = "{DECIMAL} is two numbers in C. If you mean one number, write {POINT}."},
+    {MISSING_BRACE, "^expected", .needs = "{BELOW}", .help = "a } is missing in line {LINE}."},
+    {MISSING_BRACE,
+     .help = "a } is missing, in or before the function that begins in line {OPEN}."},
+    {OUTSIDE, .help = "this is outside of every function: there is one } too many before it."},
+    {ANY, .code = "^ *(import|using|from) ",
+     .help = "C has no import: headers are included, as in #include \"{CONTRACT}\""},
+    {ANY, "^expected", .behind = "^ *(and|or|not) ",
+     .help = "and, or and not are written &&, || and ! in C."},
+    {ANY, "operand of '[&|]'|^[&|] has lower precedence",
+     .help = "&& is and, || is or; & and | work on bits."},
+    {ANY, "^comparisons like", .help = "two comparisons are joined by &&: 0 < x && x < 1."},
+    {ANY, "^expected identifier or '\\('", .code = "^\\{", .before = "\\);$",
+     .help = "the ; at the end of line {BEFORE} separates the function from its { }: remove it."},
+    {ANY, "^expected expression", .ahead = "^ *$", .before = ",$",
+     .help = "line {BEFORE} ends with a comma, but needs a semicolon."},
+    {UNUSED_VALUE, .code = "==", .help = "== compares; to give a variable a value, write =."},
+    {ANY, "integer absolute value function", .help = INTEGER_ABS},
+    {ANY, "used uninitialized|uninitialized when used",
+     .help = "{NAME} is declared, but has no value yet."},
+    {ANY, "No such file or directory|file not found",
+     .help = "the contract of this chapter is #include \"{CONTRACT}\"; other headers are in "
+             "common/."},
+    {ANY, "^expected", .behind = "^ *x [A-Za-z(]",
+     .help = "x is not an operator in C: * multiplies, and the cross product is vec3_cross(v, w)."},
+    {ANY, "^expected '\\)'|^unterminated|at end of input", .needs = "{OPENED}",
+     .help = "a ) is missing: there are more ( than )."},
+    {ANY, "before '\\)' token|^extraneous '\\)'|^expected expression$", .needs = "{CLOSED}",
+     .help = "one ) too many: there are more ) than (."},
+    {ANY, "^expected '\\('", .code = BEFORE_WORD "(if|while|for) +[^ (]",
+     .help = "if, while and for need parentheses: if (x > 0)."},
+    {ANY, "^expected '[})]'", .ahead = "[A-Za-z_0-9)] *$", .behind = "^ *[A-Za-z_(]",
+     .help = "an operator or a comma is missing there (2 t is 2 * t)."},
+    {ANY, "^expected expression", .ahead = "= *$", .behind = "^[<>]",
+     .help = "C writes >= and <=, not => and =<."},
+    {ANY, "^(expected expression( before '[A-Za-z]|$)|unexpected type name)", .ahead = "^ *$",
+     .needs = "{DECLARED}",
+     .help = "a declaration after if, else or for needs braces around it: { }."},
+    {ANY, "^subscripted value",
+     .help = "{a AHEAD_TYPE} has no numbered parts: they are called {PARTS AHEAD_TYPE}."},
+    {ANY, "^invalid operands to binary|^cannot convert between vector and non-scalar",
+     .behind = "^([^^]|$)",
+     .help = "there is no arithmetic with {a OPERAND} as a whole: its parts are {PARTS OPERAND}."},
+    {ANY, "assignment used as truth value|result of an assignment as a condition",
+     .help = "= assigns; to compare, write ==."},
+
+    // A type, or a { or [, where there should be a value.
+    {ANY, TYPE_FOUND, .behind = "^vec3 *[({]",
+     .help = "{NAME} is a type, not a function: write {WRITTEN NAME}."},
+    {ANY, TYPE_FOUND, .behind = "^[A-Za-z0-9]+ *[({]",
+     .help = "{NAME} is a type, not a function: {WRITTEN NAME} makes one."},
+    {ANY, TYPE_FOUND, .ahead = "[(,] *$", .needs = "{WRITTEN NAME}",
+     .help = "in a call, write only the values, without their types."},
+    {ANY, "^expected expression", .behind = "^[{[]",
+     .help = "{a VECTOR_HERE} is written {WRITTEN VECTOR_HERE}."},
+    {ANY, "^expected expression", .behind = "^[{[]",
+     .help = "put the type in parentheses before the braces: {WRITTEN TYPE_HERE}."},
+    {ANY, "^expected expression", .behind = "^[{[]",
+     .help = "put the type in parentheses before the braces, as in (Ray){origin, direction}."},
+
+    {SEMICOLON, .code = BEFORE_WORD "for *\\([^;]*(;[^;]*)?$",
+     .help = "for (...; ...; ...) has two semicolons between its three parts."},
+    {SEMICOLON, .ahead = "^$", .behind = "^$",
+     .help = "a semicolon is missing in line {LINE}, or at the end of the one before."},
+    {SEMICOLON, .ahead = "^ *$", .help = "a semicolon is missing at the end of line {BEFORE}."},
+    {SEMICOLON, .ahead = "^ *$",
+     .help = "what comes first in the file is not C. If it is a comment, write // before it."},
+    {SEMICOLON, .behind = "^\\^?[ })]*(//.*)?$",
+     .help = "a semicolon is missing at the end of line {LINE}."},
+    {SEMICOLON, .help = "in line {LINE} a semicolon is missing, or an operator (2 t is 2 * t)."},
+
+    {ANY, "to use '->'", .needs = "{NO_PART}",
+     .help = "{AHEAD} points to {a AHEAD_TYPE}" WHOSE_PARTS},
+    {ANY, WRONG_ARROW, .needs = "{NO_PART}", .help = "{AHEAD} is {a AHEAD_TYPE}" WHOSE_PARTS},
+    {ANY, "is a pointer; did you mean to use '->'",
+     .help = "{AHEAD} is a pointer: write {AHEAD}->{PART}."},
+    {ANY, "did you mean to use '->'", .help = "after a pointer comes -> and not a dot: ->{PART}."},
+    {ANY, WRONG_ARROW, .help = "{AHEAD} is not a pointer: write {AHEAD}.{PART}."},
+
+    {ANY, NO_PARTS, .ahead = " $",
+     .help = "a dot is not a product in C: multiply numbers with *, and write v . w as "
+             "vec3_dot(v, w)."},
+    {ANY, NO_PARTS, .needs = "{VECTOR_VALUE}",
+     .help = "a vec3 has no named parts: its components are v[0], v[1], v[2]."},
+    {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}",
+     .help = "{VALUE} is a number and has no parts. {PART} is a part of "
+             "{a OWNER PART}. Write {WHOLE PART}."},
+    {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}",
+     .help = "{VALUE} is a number and has no parts. {PART} is a part of others. "
+             "Write {WHOLE PART}."},
+    {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}", .help = "{VALUE} is a number and has no parts."},
+    {ANY, NO_PARTS,
+     .help = "the value before the dot has no named parts: a number has none, and the components "
+             "of a vec3 are v[0], v[1], v[2]."},
+    {ANY, OTHER_MEMBER,
+     .help = "the parts of {a MEMBER} are {PARTS MEMBER} ({HEADER MEMBER}).{SLIDES?}"},
+
+    {ANY, .help = "{POWER_SIGN}: for v . v, write vec3_dot({VECTOR_BASE}, {VECTOR_BASE})."},
+    {ANY, .help = "{POWER_SIGN}: write pow({BASE}, {OTHER_POWER})."},
+    {ANY, .help = "{POWER_SIGN}: write {BASE} * {BASE}."},
+    {ANY, NO_STAR,
+     .help = "a * in front of a name reads through a pointer, and this is not a pointer: remove "
+             "the *."},
+    {ANY, "^invalid (suffix|digit) .* (integer|decimal|floating) constant",
+     .help = "a * is missing: {FACTORS}."},
+    {ANY, "^called object",
+     .help = "{ELEMENT}(...) is a call of a function; an element of an array is {ELEMENT}[...]."},
+    {ANY, "^called object", .code = BEFORE_WORD "[0-9.]+ *\\(|\\) *\\(",
+     .help = "a * is missing before the bracket: 2(x) is 2 * (x)."},
+    {ANY,
+     "^conversion to non-scalar type|^used type '[A-Za-z]*' where arithmetic|"
+     "^cannot convert a value of type .* to vector type|"
+     "^invalid conversion between vector type",
+     .help = "{a CAST} is written {WRITTEN CAST}."},
+
+    {ANY, .needs = "{COMMA}",
+     .help = LOST_COMMA " {A COMMA_TYPE} is written {WRITTEN COMMA_TYPE}."},
+    {ANY, .needs = "{COMMA}", .help = LOST_COMMA},
+    {VECTOR, .needs = "{PRODUCT}",
+     .help = "v * w multiplies component by component and gives a vector; for a number, write "
+             "vec3_dot(v, w)."},
+    {VECTOR, "initializ", .help = VECTOR_GIVEN " Or is the type of the variable wrong?"},
+    {VECTOR, .help = VECTOR_GIVEN},
+
+    // One type is wanted, and another given.
+    {TYPES, .needs = "{FUNCTION_GIVEN}", .help = "{HERE} is a function here. " LIKE_CALL},
+    {TYPES, .needs = "{SWAPPED}", .help = "{WHAT}: the arguments are in another order." PROTOTYPE},
+    {WANTS_POINTER, "assigning", .needs = "{NUMBER_GIVEN}",
+     .help = "{WHAT}. One of the numbers there is {TARGET?}[i]."},
+    {WANTS_POINTER, "assigning",
+     .help = "{WHAT}. To store it where {TARGET?} points, write *{TARGET?} = ..."},
+    {TYPES, "assigning", .code = "[^=<>!]=[^=].*\\?", .help = "{WHAT}. To compare, write ==."},
+    {GIVES_POINTER, .behind = "^&", .help = "{WHAT}. Remove the &."},
+    {GIVES_POINTER, .help = "{WHAT}. One of them is {LIST}[i]."},
+    {GIVES_POINTER, .help = "{WHAT}. A * in front of a pointer gives the value it points to."},
+    {WANTS_POINTER, .behind = "^\\*",
+     .help = "{WHAT}. Remove the *: without it, this is a pointer."},
+    {WANTS_POINTER, .help = "{WHAT}. A & in front makes a pointer to it."},
+    {TYPES, .help = "{WHAT}. {MAKERS}."},
+    {TYPES, .help = "{WHAT}." PROTOTYPE},
+    {TYPES, .needs = "{VARIABLE}", .help = "{WHAT}. Is the type of the variable right?"},
+    {TYPES, .help = "{WHAT}. Write {WRITTEN WANTED}."},
+    {TYPES, .help = "{WHAT}. {A WANTED} is one of {VALUES WANTED} ({HEADER WANTED})."},
+    {TYPES, .help = "{WHAT}. Its parts are {PARTS GIVEN}."},
+    {TYPES, .help = "{WHAT}."},
+    {ENDS_AT_ONCE, .code = BEFORE_WORD "for *\\(",
+     .help = "the ; after for (...) in line {ENDED} ends the loop" ENDED_LOOP},
+    {ENDS_AT_ONCE, .help = "the ; after the bracket in line {ENDED} ends the statement" ENDED_LOOP},
+
+    // A name that nobody has declared.
+    {UNKNOWN, .name = "^M_PI$", .help = "C11 has no M_PI: write PI (common/vec3.h)."},
+    {UNKNOWN, .name = "^std$",
+     .help = "C has no std:: - the functions of <math.h> have no such prefix, as in sqrt(x)."},
+    {UNKNOWN, .name = "^new$",
+     .help = "C has no new: a struct is written (Ray){origin, direction}, a vec3 "
+             "vec3_of(x, y, z)."},
+    {UNKNOWN, .name = "^(let|var|auto|def)$", .help = "C has no {NAME}: " DECLARE_NEW},
+    {UNKNOWN, .name = "^l?abs$", .help = INTEGER_ABS},
+    {UNKNOWN, .name = "^return[a-z]", .help = "a space is missing: return {RETURNED}"},
+    {UNKNOWN, .help = "{NAME} is in the standard library: #include {LIBRARY}"},
+    {UNKNOWN_FUNCTION,
+     .help = "{NAME} is defined further down, in line {LATER}: move it above its use."},
+    {LACKS_CONTRACT, .help = "#include \"{CONTRACT}\" is missing at the top of this file."},
+    {UNKNOWN, .help = "the slide's {LETTERS}."},
+    {UNKNOWN_VARIABLE, .needs = "{LOST_NAME}", .help = ""},
+    {UNKNOWN, .help = NOTHING "{NAME}. The {OWNER ITS_PART} has another name here: write "
+                              "{WHOLE ITS_PART}."},
+    {UNKNOWN, .help = NOTHING "{NAME}. It has another name here: write {WHOLE ITS_PART}."},
+    {UNKNOWN_VARIABLE | UNKNOWN_TYPE,
+     .help = "{NAME} is a part of {a OWNER NAME} ({HEADER OWNER NAME}): write {WHOLE NAME}."},
+    {UNKNOWN_VARIABLE | UNKNOWN_TYPE, .help = "{NAME} is the name of parts: write {WHOLE NAME}."},
+    {UNKNOWN, .help = "{NAME} is declared in another file: #include \"{OTHER_HEADER}\""},
+    {UNKNOWN_TYPE,
+     .name = "^([Dd]?[Vv](ec|EC)[34]?|[Vv](ector|ECTOR)3?|[Pp](oint|OINT)3?|"
+             "[Ff]loat3|[Dd]ouble3)$",
+     .help = "the type of points, vectors and colours is vec3 (common/vec3.h)."},
+    {UNKNOWN, .help = "here its name is {KNOWN}: {PROTOTYPE KNOWN}  in {HEADER KNOWN}."},
+    {UNKNOWN, .help = "in C its name is {KNOWN}."},
+    {UNKNOWN, .name = "^(sqr|sq|square|squared)$", .help = "C has no square: write x * x."},
+    {UNKNOWN, .needs = "{NAME_OF_LOOP}",
+     .help = "{NAME} is not declared: for (int {NAME} = ...; ...; ...)."},
+    {UNKNOWN, .help = "the ; after for (...) in line {ENDED} ends the loop" ENDED_LOOP},
+    {UNKNOWN, .help = "{NAME} is known only inside the loop of line {LOOP}."},
+    {UNKNOWN, .help = NOTHING "{NAME}. It is written {LIKE} ({HEADER LIKE})."},
+    {UNKNOWN, .help = NOTHING "{NAME}. {SUGGESTED} is in {HEADER SUGGESTED}."},
+    {UNKNOWN_VARIABLE, .needs = "{PARTS CAPITAL}",
+     .help = NOTHING "{NAME}. A {CAPITAL} of your own must be declared first: {CAPITAL}" UNBROKEN
+                     "{NAME}" UNBROKEN "=" UNBROKEN "...;"},
+    {UNKNOWN, .name = "^..",
+     .help = NOTHING "{NAME}. Is it spelled as in the contract, {CONTRACT}?{PARAMETERS?}"},
+    {UNKNOWN, .help = NOTHING "{OTHERS}.{PARAMETERS?} Declare a variable of your own first, with "
+                              "its type."},
+
+    {COUNT, .help = "its prototype is  {PROTOTYPE COUNTED}  in {HEADER COUNTED}."},
+    {COUNT, .help = "look at the prototype of {COUNTED}: it lists the parameters."},
+    {COUNT, .help = "look at the prototype of the function: it lists the parameters."},
+
+    // A name that is declared twice.
+    {CONFLICT | STATIC, "^[^a]", .needs = "{PARAMETER}",
+     .help = "{NAME} is already a parameter of {FUNCTION}: give yours another name."},
+    {CONFLICT, "^redefinition", .help = "{NAME} is already defined in line {EARLIER}."},
+    {CONFLICT, "^redefinition",
+     .help = "{NAME} is already in {HEADER NAME}: use it, or give yours another name."},
+    {STATIC, .needs = "{PROTOTYPE NAME}",
+     .help = "remove the static in front of {NAME}: other files call it."},
+    {CONFLICT, "^[^r]",
+     .help = "the contract, {CONTRACT}, says  {PROMISED}: your function must begin like that."},
+    {CONFLICT, "^[^r]",
+     .help = "{DOUBLE} is already in {HEADER DOUBLE}, as  "
+             "{PROTOTYPE DOUBLE}: give yours another name."},
+
+    {ANY, "clause does not guard|^misleading indentation",
+     .help = "without braces { } only one statement belongs to it."},
+    {ANY, "^type defaults to 'int'|^type specifier missing", .code = "^ *auto ",
+     .help = "C has no auto: " DECLARE_NEW},
+    {ANY, "discards '?(const|qualifiers)",
+     .help = "the data it points to must not change: put const in front of the pointer's type."},
+    {ANY, "^parameter names .without types|^a parameter list without types",
+     .help = "that declares a function. " LIKE_CALL},
+    {ANY, "^invalid initializer", .help = "{a WANTED} is expected here: {WRITTEN WANTED}."},
+    {ANY, "^'return' with no value|should return a value",
+     .help = "return without a value: this function must return one. Write it after return."},
+    {MISSING_RETURN, .help = LOST_RETURN " Line {LOST} computes a value, but does not return it."},
+    {MISSING_RETURN, .help = LOST_RETURN},
+};
+
+// ---- the engine --------------------------------------------------------------------------------
+
+static const char *number(size_t line)
+{
+    return line == 0 ? "" : text_format("%zu", line);
+}
+
+static const char *if_true(bool is_true)
+{
+    return is_true ? "true" : "";
+}
+
+// The first function of this name before the mistake, and the last one after it: its line, or 0.
+static size_t defined_before(const Mistake *mistake)
+{
+    for (size_t i = 1; i <= answer.function_count && answer.functions[i].line < mistake->line; i++)
+        if (text_is(answer.functions[i].name, mistake->name))
+            return answer.functions[i].line;
+    return 0;
+}
+
+static size_t defined_after(const Mistake *mistake)
+{
+    const OwnFunction *own = answer_function_named(mistake->name);
+    return own != NULL && own->line > mistake->line ? own->line : 0;
+}
+
+// The line of the first value that the function of a mistake computes for nothing.
+static size_t lost_value(const Mistake *mistake)
+{
+    for (size_t i = 0; i < all.count; i++)
+        if (all.mistakes[i].kinds & UNUSED_VALUE && all.mistakes[i].begins == mistake->begins)
+            return all.mistakes[i].line;
+    return 0;
+}
+
+typedef struct {
+    const char *word, *meaning;
+} Word;
+
+// All words that a help may have, of a mistake.
+static const Word *find_words(const Mistake *mistake)
+{
+    const char *text = mistake->text, *name = mistake->name, *code = mistake->code,
+               *behind = mistake->behind;
+    size_t line = mistake->line;
+    bool is_slides = mistake->kinds & SLIDES_LETTER, is_other = mistake->kinds & OTHER_LETTER;
+    const char *function = answer_function(line)->name;
+    const char *ahead = text_expression_at_end(mistake->ahead), *here = expression_here(mistake),
+               *ahead_type = type_of(ahead, line);
+    const char *slides = is_slides ? letters(SLIDES_LETTER, mistake->begins) : "";
+    const char *target = text_expression_at_end(text_group(code, AHEAD_OF_EQUALS, 1));
+    // That a return or an assignment wants.
+    const char *type_here = text_matches(code, BEFORE_WORD "return[^A-Za-z_0-9]")
+                                ? type_of_function(function)
+                                : type_of(target, line);
+    // Of a value that has no parts.
+    const char *value_type = text_has(text, "base type") ? bare_type(name) : ahead_type;
+    const char *counted = mistake->declared[0] != '\0' || text_has(text, "function call")
+                              ? mistake->declared // clang tells the name only in its note
+                              : text_group(text, "function[^']*'([^']*)", 1);
+    const char *doubled = text_begins(text, "argument") ? function : name;
+    const Declared *promised = declared(doubled, FUNCTION);
+    const char *statement = answer_statement_text(line);
+    const char *header = declared(name, ANYTHING)->header, *part = text_group(behind, PART, 3);
+    bool is_other_header = !answer_includes(header) && !text_is(header, headers.contract);
+    static const char variable[] = "^ *(const )?([A-Za-z_0-9]+) +[A-Za-z_0-9]+ *=",
+                      for_name[] = BEFORE_WORD "for *\\( *([A-Za-z_0-9]+) *=";
+    int open = text_count(statement, '(') - text_count(statement, ')');
+    Match factor;
+    bool has_factor =
+        text_find(code, "(^|[^A-Za-z_0-9.])([0-9][0-9.]*)([A-Za-z_][A-Za-z_0-9.]*)", &factor);
+    const char *base = text_expression_at_end(text_replaced(mistake->ahead, "[* ]+$", "")),
+               *power = text_group(behind, "^[*^ ]*([A-Za-z_0-9.]+)", 1);
+    bool is_square = text_has(text, "'vec3'") || text_is(type_of(base, line), "vec3");
+    base = base[0] == '\0' ? "x" : base;
+    const Word words[] = {
+        {"NAME", name},
+        {"LINE", number(line)},
+        {"BEFORE", number(answer_code_before(line))},
+        {"BELOW", if_true(line < answer.last)},
+        {"FUNCTION", function},
+        {"PARAMETERS", mistake->kinds & UNKNOWN_VARIABLE ? parameters(mistake) : ""},
+        {"CONTRACT", headers.contract},
+        {"OTHER_HEADER", is_other_header ? header : ""},
+        {"LOOP", number(answer_loop_of(name, line))},
+        {"ENDED", number(ended_loop(mistake))},
+        {"NAME_OF_LOOP", if_true(text_is(text_group(code, for_name, 2), name))},
+        {"DECLARED", if_true(is_known_type(text_group(behind, "^([A-Za-z_0-9]+) +[A-Za-z_]", 1)))},
+        {"VARIABLE", if_true(text_is(text_group(code, variable, 2), mistake->wanted))},
+        {"LOST_NAME", if_true(is_lost(mistake))},
+        {"PARAMETER", if_true(is_parameter(mistake))},
+        {"COMMA", if_true(has_comma(mistake))},
+        {"PRODUCT", if_true(has_vector_product(mistake))},
+        {"SWAPPED", if_true(is_swapped(mistake))},
+        {"OPEN", number(all.open_function)},
+        {"OPENED", if_true(open > 0)},
+        {"CLOSED", if_true(open < 0)},
+        {"SLIP", mistake->slip},
+        {"KEYWORD", mistake->keyword},
+        {"DECIMAL", mistake->decimal},
+        {"POINT", text_replaced(mistake->decimal, ",", ".")},
+        {"LETTERS", slides},
+        {"SLIDES", is_slides ? text_format(" The slide's %s.", slides) : ""},
+        {"OTHERS", is_other ? letters(OTHER_LETTER, mistake->begins) : name},
+        {"RETURNED", text_group(name, "^return(.*)", 1)},
+        {"AHEAD", ahead},
+        {"AHEAD_TYPE", ahead_type},
+        {"VALUE", ahead[0] == '\0' ? "this" : ahead},
+        {"VECTOR_VALUE", if_true(is_vector_type(value_type))},
+        {"NUMBER_VALUE", if_true(is_number(value_type))},
+        {"PART", part},
+        {"NO_PART", if_true(part[0] != '\0' && declared_field(ahead_type, part) == NULL)},
+        {"LOOK", text_is(ahead_type, "Sphere") && declared_field("Surface", part) != NULL
+                     ? text_format(" For its look, write scene_surface(scene, i)->%s.", part)
+                     : ""},
+        {"ITS_PART", text_begins(behind, name)
+                         ? text_group(behind + strlen(name), "^(\\.|->)([A-Za-z_0-9]+)", 2)
+                         : ""},
+        {"HERE", here},
+        {"LIST", text_matches(here, "(spheres|lights|surfaces)$") ? here : ""},
+        {"TARGET", target},
+        {"TYPE_HERE", type_here},
+        {"VECTOR_HERE", is_vector_type(type_here) ? type_here : ""},
+        {"COMMA_TYPE", mistake->wanted[0] != '\0' ? mistake->wanted : type_here},
+        {"WANTED", mistake->wanted},
+        {"GIVEN", mistake->given},
+        {"FUNCTION_GIVEN", if_true(text_has(mistake->given, "(*)"))},
+        {"NUMBER_GIVEN", if_true(is_number(mistake->given))},
+        {"WHAT", mistake->kinds & TYPES ? what_is_wanted(mistake) : ""},
+        {"MAKERS", makers(mistake)},
+        {"CALLED", called(mistake)},
+        {"COUNTED", counted},
+        {"DOUBLE", doubled},
+        {"PROMISED", text_is(promised->header, headers.contract) ? promised->prototype : ""},
+        {"EARLIER", number(defined_before(mistake))},
+        {"LATER", number(defined_after(mistake))},
+        {"LOST", number(lost_value(mistake))},
+        {"OPERAND", struct_operand(mistake)},
+        {"CAST", text_group(code, "\\(([A-Za-z0-9]+)\\) *\\(", 1)},
+        {"ELEMENT", text_group(code, "([A-Za-z_0-9]+(\\.|->)[A-Za-z_0-9]+) *\\(", 1)},
+        {"FACTORS",
+         has_factor ? text_format("%s * %s", factor.group[2], factor.group[3]) : "2x is 2 * x"},
+        {"MEMBER", bare_type(text[0] == '\'' ? name : text_group(text, SECOND_QUOTED, 1))},
+        {"POWER_SIGN", power_sign(mistake)},
+        {"BASE", base},
+        {"VECTOR_BASE", is_square ? base : ""},
+        {"OTHER_POWER", text_is(power, "2") ? "" : power},
+        {"KNOWN", meant_by(name, known_names, sizeof known_names / sizeof *known_names)},
+        {"LIBRARY", mistake->library[0] != '\0'
+                        ? mistake->library
+                        : meant_by(name, library, sizeof library / sizeof *library)},
+        {"LIKE", name_like(mistake)},
+        {"SUGGESTED", suggested(mistake)},
+        {"CAPITAL", text_format("%c%s", toupper((unsigned char)name[0]), name + (name[0] != '\0'))},
+        {NULL, ""},
+    };
+    return memcpy(text_memory(sizeof words), words, sizeof words);
+}
+
+// What a verb says of a word: a Ray, the PARTS of a Ray.
+static const char *said_of(const char *verb, const char *word, size_t line)
+{
+    const char *owner = "", *whole = "";
+    if (text_matches(verb, "^(WHOLE|OWNER)$"))
+        whole = whole_of(word, line, &owner);
+    return word[0] == '\0' || verb[0] == '\0' ? word
+           : text_is(verb, "PARTS")           ? declared(word, TYPE)->parts
+           : text_is(verb, "VALUES")          ? declared(word, TYPE)->values
+           : text_is(verb, "WRITTEN")         ? written(word)
+           : text_is(verb, "PROTOTYPE")       ? declared(word, FUNCTION)->prototype
+           : text_is(verb, "HEADER")          ? declared(word, ANYTHING)->header
+           : text_is(verb, "WHOLE")           ? whole // width: c.width
+           : text_is(verb, "OWNER")           ? owner
+                                              : with_article(verb[0], word);
+}
+
+// The help with its words filled in, or "" if one has no meaning.
+static const char *filled(const char *help, const Word *words, size_t line)
+{
+    static const char pattern[] = "\\{(([A-Za-z]+) )?(([A-Z]+) )?([A-Z_]+)([?]?)\\}";
+    const char *text = "";
+    for (Match match; text_find(help, pattern, &match); help += match.end) {
+        const Word *word = words;
+        while (word->word != NULL && !text_is(word->word, match.group[5]))
+            word++;
+        const char *meaning = said_of(match.group[4], word->meaning, line);
+        meaning = said_of(match.group[2], meaning, line);
+        if (meaning[0] == '\0' && match.group[6][0] == '\0')
+            return "";
+        text = text_format("%s%.*s%s", text, (int)match.at, help, meaning);
+    }
+    return text_format("%s%s", text, help);
+}
+
+static bool has(const char *text, const char *pattern)
+{
+    return pattern == NULL || text_matches(text, pattern);
+}
+
+// A line of help, or "".
+static const char *help(const Mistake *mistake)
+{
+    const Word *words = find_words(mistake);
+    const char *before = answer_code(answer_code_before(mistake->line));
+    for (const Rule *rule = rules; rule < rules + sizeof rules / sizeof *rules; rule++) {
+        if ((rule->kinds != 0 && !(rule->kinds & mistake->kinds)) ||
+            !has(mistake->text, rule->words) || !has(mistake->ahead, rule->ahead) ||
+            !has(mistake->behind, rule->behind) || !has(mistake->code, rule->code) ||
+            !has(before, rule->before) || !has(mistake->name, rule->name) ||
+            (rule->needs != NULL && filled(rule->needs, words, mistake->line)[0] == '\0'))
+            continue;
+        const char *said = filled(rule->help, words, mistake->line);
+        if (said[0] != '\0' || rule->help[0] == '\0')
+            return said;
+    }
+    return "";
+}
 // ---- showing -----------------------------------------------------------------------------------
 
 // A long line goes on in the next one, after the indent. It is divided between words.

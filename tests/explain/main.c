@@ -6,7 +6,7 @@
 // From the top of the tree: it looks into the headers in exercises/ and common/.
 #include "tests/explain/explain.h"
 
-#include "tests/explain/parts.h"
+#include "tests/explain/source.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 // source.c - the student's answer, what the headers declare, and the names and types that are known
 // in a line; below them the strings of the explainer, which are made, searched, and freed at once.
-#include "tests/explain/parts.h"
+#include "tests/explain/source.h"
 
 #include <ctype.h>
 #include <dirent.h>
