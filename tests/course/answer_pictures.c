@@ -158,8 +158,9 @@ static void say_picture(const Page *page, const char *path, const char *shows, c
     size_t length = strlen(words);
     if (given[0] != '\0')
         snprintf(words + length, sizeof words - length, " %s", given);
-    page_field(page, PLAIN, "picture", path);
-    if (page->is_brief)
+    page_part(page, "picture", path, words);
+    page_terminal(page, "  %-*s%s\n", PAGE_LABEL - 2, "picture", path);
+    if (page->is_brief || page->is_web)
         return;
     page_words(page, PLAIN, PAGE_LABEL, PAGE_LABEL, words);
 }
@@ -179,7 +180,7 @@ static bool show_picture(const Page *page, const JudgingPlan *plan, int chapter,
         !draw(plan, program.s, picture->name, path.s))
         return false;
     if (begins && !page->is_brief)
-        putc('\n', page->out);
+        page_terminal(page, "\n");
     say_picture(page, path.s, picture->shows, &by, picture->given);
     return true;
 }
@@ -297,9 +298,9 @@ static const Reward *reward_of(const JudgingPlan *plan, int chapter)
 
 static void say_again(const Page *page, const JudgingPlan *plan)
 {
-    fprintf(page->out, "make exercises");
+    page_terminal(page, "make exercises");
     if (strcmp(plan->answers, "exercises") != 0)
-        fprintf(page->out, " ANSWERS=%s", plan->answers);
+        page_terminal(page, " ANSWERS=%s", plan->answers);
 }
 
 static void show_chapter_picture(const Page *page, const JudgingPlan *plan, int chapter)
@@ -311,15 +312,18 @@ static void show_chapter_picture(const Page *page, const JudgingPlan *plan, int 
     Answerers by;
     if (!draw_chapter(plan, chapter, reward, picture, &by)) {
         if (by.missing[0] == '\0') {
-            fprintf(page->out, "  Its picture could not be drawn: make ANSWERS=%s says why\n",
-                    plan->answers);
+            page_part(page, "words", "", "Its picture could not be drawn.");
+            page_terminal(page, "  Its picture could not be drawn: make ANSWERS=%s says why\n",
+                          plan->answers);
             return;
         }
-        fprintf(page->out, "  Its picture also needs %s: ", by.missing);
+        page_part(page, "field", "Its picture also needs", by.missing);
+        page_terminal(page, "  Its picture also needs %s: ", by.missing);
         say_again(page, plan);
-        putc('\n', page->out);
+        page_terminal(page, "\n");
     } else if (by.wrong[0] == '\0' && by.reference[0] == '\0') {
-        fprintf(page->out, "  drawn by your own code: %s\n", picture.s);
+        page_part(page, "picture", picture.s, "Drawn by your own code.");
+        page_terminal(page, "  drawn by your own code: %s\n", picture.s);
     } else {
         say_picture(page, picture.s, "The chapter's picture.", &by, "");
     }
@@ -386,19 +390,20 @@ void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
 
 void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
 {
-    fprintf(page->out, "%s is right. %s\n", plan->chapters[chapter].stem,
-            reward_of(plan, chapter)->now);
+    const char *now = reward_of(plan, chapter)->now;
+    page_part(page, "right", plan->chapters[chapter].stem, now);
+    page_terminal(page, "%s is right. %s\n", plan->chapters[chapter].stem, now);
     fflush(page->out);
     show_chapter_picture(page, plan, chapter);
     show_answer_pictures(page, plan, chapter, true);
     if (chapter + 1 < plan->count) {
         const char *next = plan->chapters[chapter + 1].stem;
-        fprintf(page->out, "Next: chapters/%s/README.md\n      and then ", next);
+        page_terminal(page, "Next: chapters/%s/README.md\n      and then ", next);
         say_again(page, plan);
-        fprintf(page->out, " EX=%.2s\n", next);
+        page_terminal(page, " EX=%.2s\n", next);
     } else {
-        fprintf(page->out, "Next: ");
+        page_terminal(page, "Next: ");
         say_again(page, plan);
-        fprintf(page->out, ", to see that every chapter is.\n");
+        page_terminal(page, ", to see that every chapter is.\n");
     }
 }

@@ -14,7 +14,7 @@
 //
 // PLAN: how answers are judged, as make has written it down (course.h). It starts compilers,
 // judges and drawing programs; it never loads an answer. In the environment: V=1 shows these
-// commands; ALL=1 shows all that needs work; NO_COLOR, TERM, COLUMNS (page.h); GDB_FLAGS.
+// commands; ALL=1 shows all that needs work; WEB, NO_COLOR, TERM, COLUMNS (page.h); GDB_FLAGS.
 #include "tests/course/course.h"
 
 #include <poll.h>
@@ -64,11 +64,13 @@ static int next_saved(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS],
 // ---- hints -------------------------------------------------------------------------------------
 
 // hints: a file (exercises/NN-stem.hints) with a section '# FUNCTION' for each exercise. A hint
-// begins with '- ', lines that continue it with two blanks. Prints hint NUMBER of a function, as it
+// begins with '- ', lines that continue it with two blanks. Gets hint NUMBER of a function, as it
 // is wrapped there; how many there are.
-static int print_hint(const Page *page, const char *hints, const char *function, int number)
+enum { LONGEST_HINT = 4000 };
+static int get_hint(const char *hints, const char *function, int number, char hint[LONGEST_HINT])
 {
     char line[400], name[100];
+    size_t length = 0;
     bool inside = false;
     int count = 0;
     FILE *file = fopen(hints, "r");
@@ -78,8 +80,9 @@ static int print_hint(const Page *page, const char *hints, const char *function,
             inside = strcmp(name, function) == 0;
         else if (inside)
             count += begins;
-        if (inside && count > 0 && count == number && strcmp(line, "\n") != 0)
-            fprintf(page->out, "%s%s", begins ? "  " : "", line + (begins ? 2 : 0));
+        if (inside && count > 0 && count == number && strcmp(line, "\n") != 0 &&
+            length < LONGEST_HINT)
+            length += (size_t)snprintf(hint + length, LONGEST_HINT - length, "  %s", line + 2);
     }
     if (file != NULL)
         fclose(file);
@@ -91,7 +94,8 @@ static int print_hint(const Page *page, const char *hints, const char *function,
 static int hint_next(const Page *page, const char *stem, const char *hints, const char *function,
                      const char *answer, const char *state)
 {
-    int total = print_hint(page, hints, function, 0), shown = 0;
+    char hint[LONGEST_HINT] = "";
+    int total = get_hint(hints, function, 0, hint), shown = 0;
     if (total == 0) {
         fprintf(stderr, "%s: %s has no hints for %s. The lesson: chapters/%s/README.md\n", stem,
                 hints, function, stem);
@@ -108,12 +112,15 @@ static int hint_next(const Page *page, const char *stem, const char *hints, cons
         fclose(file);
     }
     int number = shown < total ? shown + 1 : total;
-    fprintf(page->out, "%s  %s  hint %d of %d\n", stem, function, number, total);
-    print_hint(page, hints, function, number);
+    get_hint(hints, function, number, hint);
+    char which[300];
+    snprintf(which, sizeof which, "%s  hint %d of %d", function, number, total);
+    page_part(page, "hint", which, hint);
+    page_terminal(page, "%s  %s\n%s", stem, which, hint);
     if (number < total)
-        fprintf(page->out, "(next hint: make hint EX=%.2s)\n", stem);
+        page_terminal(page, "(next hint: make hint EX=%.2s)\n", stem);
     else
-        fprintf(page->out, "(that was the last one; the lesson is chapters/%s/README.md)\n", stem);
+        page_terminal(page, "(that was the last one; the lesson is chapters/%s/README.md)\n", stem);
     file = fopen(state, "w");
     if (file != NULL) {
         fprintf(file, "%s\n%d\n", asked, number);
@@ -339,11 +346,12 @@ static int hint(const Course *course)
     judging_record(&course->plan, chapter, &record);
     const FunctionRecord *function = function_for_hint(&record);
     int status = 0;
-    if (function == NULL && record.function_count == 0)
-        printf("%s has no verdict yet, so there is no hint: make exercises EX=%.2s\n", stem, stem);
-    else if (function == NULL)
-        printf("%s needs no hint: make exercises EX=%.2s\n", stem, stem);
-    else
+    const char *none =
+        record.function_count == 0 ? "has no verdict yet, so there is no hint" : "needs no hint";
+    if (function == NULL) {
+        page_part(&page, "hint", stem, none);
+        page_terminal(&page, "%s %s: make exercises EX=%.2s\n", stem, none, stem);
+    } else
         status = hint_next(&page, stem, path_of("exercises", stem, ".hints").s, function->name,
                            plan_answer(plan, chapter).s, plan_beside(plan, chapter, ".hint").s);
     chapter_record_free(&record);

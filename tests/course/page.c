@@ -1,6 +1,7 @@
 // page.c - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
 #include "tests/course/page.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -28,7 +29,7 @@ Page page_on(FILE *out)
     return (Page){out, columns_of(out) - 1,
                   isatty(fileno(out)) == 1 && (no_color == NULL || no_color[0] == '\0') &&
                       term != NULL && strcmp(term, "dumb") != 0,
-                  false};
+                  false, getenv("WEB") != NULL};
 }
 
 static void begin(const Page *page, PageColor color)
@@ -43,8 +44,25 @@ static void end(const Page *page, PageColor color)
         fprintf(page->out, "\033[0m");
 }
 
+void page_terminal(const Page *page, const char *format, ...)
+{
+    va_list given;
+    va_start(given, format);
+    if (!page->is_web)
+        vfprintf(page->out, format, given);
+    va_end(given);
+}
+
+void page_part(const Page *page, const char *kind, const char *label, const char *words)
+{
+    if (page->is_web)
+        fprintf(page->out, "%s\x1f%s\x1f%s\x1e", kind, label, words);
+}
+
 void page_line(const Page *page, PageColor color, const char *line)
 {
+    if (page->is_web)
+        return;
     begin(page, line[0] != '\0' ? color : PLAIN);
     fprintf(page->out, "%s", line);
     end(page, line[0] != '\0' ? color : PLAIN);
@@ -89,6 +107,9 @@ static void wrap(const Page *page, PageColor color, int column, int margin, cons
 
 void page_field(const Page *page, PageColor color, const char *label, const char *words)
 {
+    page_part(page, "field", label, words);
+    if (page->is_web)
+        return;
     int column = fprintf(page->out, "  %-*s", PAGE_LABEL - 2, label);
     if (column > PAGE_LABEL) // a long label
         column += fprintf(page->out, " ");
@@ -97,6 +118,9 @@ void page_field(const Page *page, PageColor color, const char *label, const char
 
 void page_words(const Page *page, PageColor color, int first, int others, const char *words)
 {
+    page_part(page, "words", "", words);
+    if (page->is_web)
+        return;
     fprintf(page->out, "%*s", first, "");
     wrap(page, color, first, others, words);
 }
@@ -104,6 +128,10 @@ void page_words(const Page *page, PageColor color, int first, int others, const 
 void page_printed(const Page *page, const char *label, const char *text)
 {
     int column = 0, lines = 0;
+    if (text[0] != '\0')
+        page_part(page, "printed", label, text);
+    if (page->is_web)
+        return;
     for (; *text != '\0' && lines < MOST_PRINTED_LINES; text++) {
         if (column == 0 && lines == 0)
             fprintf(page->out, "  %-*s", PAGE_LABEL - 2, label);

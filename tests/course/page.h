@@ -1,4 +1,8 @@
 // page.h - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
+//
+// The course in a browser (chapters/book/) has its own columns. For it, fields and words are
+// written as parts, KIND \x1f LABEL \x1f WORDS \x1e, and what only a terminal's reader can use is
+// left out: page_line and page_terminal.
 #ifndef TESTS_COURSE_PAGE_H
 #define TESTS_COURSE_PAGE_H
 
@@ -12,14 +16,19 @@ typedef struct {
     int columns; // that are written to: one less than there are
     bool colors;
     bool is_brief; // without what is the same each time
+    bool is_web;   // for the course in a browser: parts
 } Page;
 
 // Columns: COLUMNS in the environment, the terminal's, or 80. Colours: on a terminal, unless
-// NO_COLOR is set or TERM is dumb. Not brief.
+// NO_COLOR is set or TERM is dumb. Not brief. WEB in the environment: for a browser.
 Page page_on(FILE *out);
 
-// A line as it is.
+// A line as it is, and text as printf writes it: for a terminal only.
 void page_line(const Page *page, PageColor color, const char *line);
+void page_terminal(const Page *page, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// For a browser only: a part.
+void page_part(const Page *page, const char *kind, const char *label, const char *words);
 
 // A label in a column of its own, then words that wrap under each other. A vector in parentheses
 // stays in one piece if it fits; a ~ is a blank that does not break.

@@ -45,6 +45,8 @@ const FunctionRecord *function_for_hint(const ChapterRecord *record)
 static void show_lines(const Page *page, const char *text)
 {
     enum { MOST_LINES = 40 };
+    if (text[0] != '\0')
+        page_part(page, "compiler", "", text);
     char *copy = strdup(text);
     int count = 0;
     for (char *rest = copy, *line;
@@ -56,6 +58,7 @@ static void show_lines(const Page *page, const char *text)
 
 static void show_header(const Page *page, const Exercise *exercise, const char *state)
 {
+    page_part(page, "function", exercise->name, exercise->slide);
     char line[400], slide[400];
     int column = snprintf(line, sizeof line, "%s  %s%s", exercise->stem, exercise->name, state);
     int length = snprintf(slide, sizeof slide, "slide: %s", exercise->slide);
@@ -70,10 +73,13 @@ static void show_mistake(const Page *page, const char *label, const char *formul
                          const char *besides)
 {
     char words[2000];
+    snprintf(words, sizeof words, "%s%s", why, besides);
+    page_part(page, label, formula, words);
     bool is_word = islower((unsigned char)why[1]) || strncmp(why, "A ", 2) == 0;
     snprintf(words, sizeof words, "%s: %c%s%s", formula[0] != '\0' ? formula : "a known mistake",
              is_word ? tolower((unsigned char)why[0]) : why[0], why + 1, besides);
-    page_field(page, YELLOW, label, words);
+    if (!page->is_web)
+        page_field(page, YELLOW, label, words);
 }
 
 static void show_diagnosis(const Page *page, const FunctionRecord *function)
@@ -100,13 +106,16 @@ static void show_figure(const Page *page, const JudgingPlan *plan, const char *n
     PlanPath picture = path_of(plan->figures.s, name, ".png"),
              script = path_of(plan->figures.s, name, ".gp");
     if (access(picture.s, F_OK) == 0) {
-        page_field(page, PLAIN, "see", picture.s);
+        page_part(page, "picture", picture.s, "");
+        page_terminal(page, "  %-*s%s\n", PAGE_LABEL - 2, "see", picture.s);
         return;
     }
     if (has_gnuplot < 0)
         has_gnuplot = program_is_there("gnuplot");
     if (has_gnuplot && access(script.s, F_OK) == 0) {
-        page_field(page, PLAIN, "see", path_of(plan->figures.s, name, ".svg").s);
+        page_part(page, "figure", script.s, "");
+        page_terminal(page, "  %-*s%s\n", PAGE_LABEL - 2, "see",
+                      path_of(plan->figures.s, name, ".svg").s);
         if (shown->count < MOST_SHOWN && strlen(name) < sizeof shown->names[0])
             strcpy(shown->names[shown->count++], name);
     }
@@ -167,9 +176,8 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
         page_words(page, YELLOW, 2, 8, words);
     }
     show_figure(page, plan, function->name, shown);
-    char what[100];
-    snprintf(what, sizeof what, "make %s EX=%.2s", has_ended ? "debug" : "hint", chapter->stem);
-    page_field(page, PLAIN, "try", what);
+    page_terminal(page, "  %-*smake %s EX=%.2s\n", PAGE_LABEL - 2, "try",
+                  has_ended ? "debug" : "hint", chapter->stem);
     if (!page->is_brief)
         show_lines(page, warnings);
     page_line(page, PLAIN, "");
@@ -210,6 +218,7 @@ static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapt
     if (what != NULL) {
         char line[200];
         snprintf(line, sizeof line, "%s  %s:", chapter->stem, what);
+        page_part(page, "trouble", chapter->stem, what);
         page_line(page, BOLD, line);
         show_lines(page, record_value(&chapter->record, "words"));
         page_line(page, PLAIN, "");
@@ -234,8 +243,10 @@ static void show_names(const Page *page, const char *label, const char *names)
     char line[8000];
     if (names[0] == '\0')
         return;
+    page_part(page, "field", label, names);
     snprintf(line, sizeof line, "%s: %s", label, names);
-    page_words(page, PLAIN, 20, 21, line);
+    if (!page->is_web)
+        page_words(page, PLAIN, 20, 21, line);
 }
 
 static void append(char *list, size_t size, const char *separator, const char *format,
@@ -299,18 +310,21 @@ static void show_progress(const Page *page, const JudgingPlan *plan, const Chapt
     snprintf(line, sizeof line, "  %-16s %s%s", chapter->stem, words, is_next ? "   <- next" : "");
     page_line(page, PLAIN, line);
     if (is_next && !is_lost(plan, chapter)) {
-        show_those(page, chapter, "wrong", "wrong");
+        if (!page->is_web) // a page shows the state of each
+            show_those(page, chapter, "wrong", "wrong");
         show_those(page, chapter, "waiting", "waiting");
         show_dependencies(page, chapter, stands_on);
-        show_those(page, chapter, "not answered yet", "unanswered");
+        if (!page->is_web)
+            show_those(page, chapter, "not answered yet", "unanswered");
     }
     char extra[2000] = "", all[2400];
     for (int i = 0; i < chapter->record.function_count; i++)
         if (strcmp(function_value(&chapter->record.functions[i], "extra"), "wrong") == 0)
             append(extra, sizeof extra, ", ", "%s%s", chapter->record.functions[i].name, "");
     if (strcmp(state, "right") == 0 && extra[0] != '\0') {
-        snprintf(all, sizeof all, "more digits in %s, see 'Losing digits' in chapters/%s/README.md",
-                 extra, chapter->stem);
+        snprintf(all, sizeof all, "more digits in %s, see 'Losing digits'%s%s%s", extra,
+                 page->is_web ? "" : " in chapters/", page->is_web ? "" : chapter->stem,
+                 page->is_web ? "" : "/README.md");
         show_names(page, "extra, no marks", all);
     }
 }
@@ -460,8 +474,8 @@ Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool cho
         bool has_trouble = first_that_is(&next->record, "wrong") != NULL ||
                            first_that_is(&next->record, "unanswered") != NULL;
         const char *work = !has_trouble && stands_on[0] != '\0' ? stands_on : next->stem;
-        fprintf(page->out, "Next: %s/%s.c\n      the lesson is chapters/%s/README.md\n",
-                plan->answers, work, work);
+        page_terminal(page, "Next: %s/%s.c\n      the lesson is chapters/%s/README.md\n",
+                      plan->answers, work, work);
     }
     bool is_done = next == NULL;
     chosen_free(read);

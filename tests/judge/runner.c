@@ -331,7 +331,7 @@ void show_outcome(const Outcome *outcome)
 {
     enum { COLUMNS = 79 };
     const Record *it = outcome->record;
-    show_call(&(Page){stdout, COLUMNS, false, 0},
+    show_call(&(Page){.out = stdout, .columns = COLUMNS},
               &(ShownCall){it->hidden, it->given, it->expected, it->yours, it->missing,
                            outcome->how, it->printed});
 }
