@@ -135,6 +135,9 @@ function runJudge(module, words, files, answerOf) {
     return { status, said: text.decode(system.stdout.contents()) + text.decode(system.stderr.contents()) };
 }
 
+/** The parts that course writes for a page (tests/course/page.h). */
+export const partsOf = (written) => written.split("\x1e").slice(0, -1).map((part) => part.split("\x1f")).map(([kind, label, words]) => ({ kind, label, words }));
+
 /**
  * Judges the answers of one student.
  * @param {{modules: {course: WebAssembly.Module, judge: WebAssembly.Module},
@@ -241,24 +244,16 @@ export function createJudge({ modules, files: given, compile, link }) {
             files.put(`exercises/${stem}.c`, source);
         compiled = before;
     }
-    const made_in = (folder, ending) => Object.fromEntries([...files.all()].filter(([path]) =>
-        path.startsWith(folder) && path.endsWith(ending)).map(([path, bytes]) => [path.split("/").pop().slice(0, -ending.length), bytes]));
     return {
         files,
         /**
      * @param {{stem: string, sources?: Object<string, string>, compiled?: Object<string, object>,
-     *          columns?: number, color?: boolean}} given  compiled: of each stem, what compiler.js returned
-     * @returns {{text: string, status: number, record: string, figures: Object<string, string>,
-     *            pictures: Object<string, Uint8Array>}}
-     *          figures: scripts, by function; pictures: PNG files; needs: there is more to draw (draw)
+     *          web?: boolean}} given  compiled: of each stem, what compiler.js returned; web: parts of a verdict (partsOf), not text
+     * @returns {{text: string, status: number, record: string}} needs: there is more to draw (draw)
      */
-        judge({ stem, columns, ...given }) {
+        judge({ stem, web, ...given }) {
             take(given);
-            const folder = "build/exercises/";
-            const shown = course("exercises", [stem], columns ? { COLUMNS: String(columns) } : {});
-            return { ...shown, record: files.text(`${folder}verdict/${stem}.record`) ?? "",
-                figures: Object.fromEntries(Object.entries(made_in(`${folder}figures/`, ".gp")).map(([k, v]) => [k, text.decode(v)])),
-                pictures: { ...made_in(`${folder}figures/`, ".png"), ...made_in(`${folder}so-far/`, ".png"), ...made_in(`${folder}gallery/`, ".png") } };
+            return { ...course("exercises", [stem], web ? { WEB: "1" } : {}), record: files.text(`build/exercises/verdict/${stem}.record`) ?? "" };
         },
         /**
      * The same with the pictures that the answer draws: if judge() returned 'needs', they wait for links.
@@ -275,8 +270,8 @@ export function createJudge({ modules, files: given, compile, link }) {
                 mine.set(shown.needs.join(" "), await linkPicture(shown.needs, files));
             }
         },
-        /** One hint more, as 'make hint'; a line for each function, as 'make status'; the blank again. */
-        hint(stem, given = {}) { take(given); return course("hint", [stem]); },
+        /** One hint more, as parts; a line for each function, as 'make status'; the blank again. */
+        hint(stem, given = {}) { take(given); return course("hint", [stem], { WEB: "1" }); },
         status(stems) { return course("status", stems); },
         reset(stem) { return course("reset", [stem]); },
     };

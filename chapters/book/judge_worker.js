@@ -2,7 +2,7 @@
 // is first asked.
 import { castLinker } from "./cast/link_cast.js";
 import { load, unpack } from "./compiler.js";
-import { createJudge } from "./judge.js";
+import { createJudge, partsOf } from "./judge.js";
 import { toolsOf, WholeCompilerNeeded } from "./tools.js";
 import { answerQuestions, fetched, once, program, tellProgress, texts, unzipped } from "./worker_questions.js";
 
@@ -90,13 +90,13 @@ async function takeDrawing(judge, given, first, others) {
 }
 
 const recordOf = (stem) => `build/exercises/verdict/${stem}.record`;
-const isNamedIn = (text, name) => text.includes(`/${name}`);
 
-/** The figures, as scripts for figure_worker.js, and the pictures that a verdict names. */
-const drawnOf = ({ text, figures, pictures: drawn }) => ({
-    scripts: Object.entries(figures).filter(([name]) => isNamedIn(text, `${name}.svg`)).map(([, script]) => script),
-    pictures: Object.entries(drawn).filter(([name]) => isNamedIn(text, `${name}.png`)).map(([name, bytes]) => ({ bytes, words: `The picture that your code draws: ${name}` })),
-});
+/** A verdict as parts; the figures that it names, as scripts for figure_worker.js, and the pictures. */
+function told({ text, errors }, { files }) {
+    const parts = text ? partsOf(text) : [{ kind: "compiler", label: "", words: errors }], named = (wanted) => parts.filter(({ kind }) => kind === wanted);
+    return { parts, scripts: named("figure").map(({ label }) => files.text(label)).filter(Boolean),
+        pictures: named("picture").map(({ label, words }) => ({ bytes: files.get(label), words })).filter(({ bytes }) => bytes) };
+}
 
 answerQuestions({
     /** All is fetched, and the text is compiled: the first verdict on it does not wait for that. */
@@ -104,7 +104,7 @@ answerQuestions({
         await Promise.all([judging(), compile(stem, text)]);
         return {};
     },
-    async judge({ stem, sources, records, columns, isDrawn = true }) {
+    async judge({ stem, sources, records, isDrawn = true }) {
         const [{ judge: before }, first] = await Promise.all([judging(), compile(stem, sources[stem])]);
         await fetchTables(before, stem, sources);
         // What was judged on other pages: the verdict counts the functions of all chapters.
@@ -113,19 +113,19 @@ answerQuestions({
                 before.files.put(recordOf(other), record);
         tellProgress("Judging");
         const result = isHandout ? {} : { [stem]: first };
-        const given = { stem, sources, compiled: result, columns };
+        const given = { stem, sources, compiled: result, web: true };
         const said = () => result[stem]?.messages ?? before.files.text(`build/exercises/verdict/${stem}/compiler`) ?? "";
-        const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: said(),
-            ...countOf(await judged((judge) => judge.status([stem]).text), stem), ...drawnOf(verdict) });
+        const answer = async (verdict) => ({ ...told(verdict, before), record: verdict.record, messages: said(),
+            ...countOf(await judged((judge) => judge.status([stem]).text), stem) });
         const verdict = await judged((judge) => judge.judge(given));
         if (!verdict.needs || !isDrawn)
-            return told(verdict);
+            return answer(verdict);
         // The verdict at once; the pictures that the answer draws when they are linked.
-        tellProgress("Drawing", 0, 0, await told(verdict));
+        tellProgress("Drawing", 0, 0, await answer(verdict));
         await pictures();
         if (!isHandout)
             await takeDrawing(before, given, first, Object.keys(records));
-        return told(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
+        return answer(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
     },
     /** A program that casts (cast/cast.c) with these answers: a WebAssembly.Module. */
     async program({ answers }) {
@@ -140,6 +140,6 @@ answerQuestions({
                 judge.files.put(path, state);
             return { ...judge.hint(stem, { sources, compiled: result }), kept: judge.files.text(path) };
         });
-        return { text: text || errors, state: kept ?? "" };
+        return { ...told({ text, errors }, before), state: kept ?? "" };
     },
 }, async () => (await compiler()).warm());

@@ -391,8 +391,10 @@ void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
 void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
 {
     const char *now = reward_of(plan, chapter)->now;
-    page_part(page, "right", plan->chapters[chapter].stem, now);
-    page_terminal(page, "%s is right. %s\n", plan->chapters[chapter].stem, now);
+    char words[300];
+    snprintf(words, sizeof words, "%s is right. %s", plan->chapters[chapter].stem, now);
+    page_part(page, "right", plan->chapters[chapter].stem, words);
+    page_line(page, PLAIN, words);
     fflush(page->out);
     show_chapter_picture(page, plan, chapter);
     show_answer_pictures(page, plan, chapter, true);

@@ -58,7 +58,7 @@ static void show_lines(const Page *page, const char *text)
 
 static void show_header(const Page *page, const Exercise *exercise, const char *state)
 {
-    page_part(page, "function", exercise->name, exercise->slide);
+    page_part(page, "function", exercise->name, "");
     char line[400], slide[400];
     int column = snprintf(line, sizeof line, "%s  %s%s", exercise->stem, exercise->name, state);
     int length = snprintf(slide, sizeof slide, "slide: %s", exercise->slide);

@@ -5,11 +5,26 @@ import { bracketMatching, indentOnInput, indentUnit, StreamLanguage, syntaxHighl
 import { c } from "@codemirror/legacy-modes/mode/clike";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, EditorState } from "@codemirror/state";
-import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { Annotation, EditorState, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, WidgetType } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
 
 const byProgram = Annotation.define();
+
+/** What was said of a line, after it: the first sentence. The whole of it is in the mark at its side. */
+class Said extends WidgetType {
+    constructor({ message, severity }) { super(); this.words = message.split("\n")[0]; this.severity = severity; }
+    eq(other) { return other.words === this.words && other.severity === this.severity; }
+    toDOM() { return Object.assign(document.createElement("span"), { className: `said ${this.severity}`, textContent: this.words, ariaHidden: "true" }); }
+}
+const sayings = StateEffect.define();
+const sayingsOfLines = StateField.define({
+    create: () => Decoration.none,
+    update(now, { changes, effects }) {
+        return effects.find((each) => each.is(sayings))?.value ?? now.map(changes);
+    },
+    provide: (field) => EditorView.decorations.from(field),
+});
 
 /** Completes the functions of a contract, each with the comment above it. */
 function completeFrom(contract) {
@@ -45,7 +60,7 @@ export function openEditor({ place, styles, label, text, contract, onChange, onJ
             doc: text,
             extensions: [
                 lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection({ cursorBlinkRate: 0 }), indentOnInput(), bracketMatching(),
-                closeBrackets(), highlightSelectionMatches(), autocompletion({ override: [completeFrom(contract)] }),
+                closeBrackets(), highlightSelectionMatches(), sayingsOfLines, autocompletion({ override: [completeFrom(contract)] }),
                 lintGutter(), StreamLanguage.define(c), syntaxHighlighting(classHighlighter), indentUnit.of("    "), EditorState.tabSize.of(4),
                 keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap,
                     ...completionKeymap, ...lintKeymap, indentWithTab]),
@@ -73,7 +88,10 @@ export function openEditor({ place, styles, label, text, contract, onChange, onJ
         /** @param {{line: number, column: number, severity: "error" | "warning", message: string}[]} marks lines count from 1 */
         mark(marks) {
             const { doc } = view.state;
-            view.dispatch(setDiagnostics(view.state, marks.filter(({ line }) => line >= 1 && line <= doc.lines).map(({ line, column, severity, message }) => {
+            const inText = marks.filter(({ line }) => line >= 1 && line <= doc.lines);
+            view.dispatch({ effects: sayings.of(Decoration.set(inText.filter(({ line }, at) => inText.findIndex((each) => each.line === line) === at)
+                .map((each) => Decoration.widget({ widget: new Said(each), side: 1 }).range(doc.line(each.line).to)), true)) });
+            view.dispatch(setDiagnostics(view.state, inText.map(({ line, column, severity, message }) => {
                 const { from, to, text: words } = doc.line(line);
                 const start = Math.min(from + Math.max(column - 1, 0), to);
                 const word = /^\w+/.exec(words.slice(start - from))?.[0].length ?? 1;

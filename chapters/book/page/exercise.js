@@ -1,7 +1,8 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (judge_worker.js), so the page always answers.
 import { Helper, Stopped } from "../worker_questions.js";
-import { functionsOf, markOf, subjectOf, summary, wayOn } from "./verdict.js";
+import { setUpRoom, showView } from "./room.js";
+import { element, marksOf, shown as shownVerdict, wayOn } from "./verdict.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
 const FIGURE = 4000; // milliseconds, at most, that the editor and the compiler wait for the first figure
@@ -10,26 +11,12 @@ const $ = (id) => document.getElementById(id);
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgentData?.platform ?? navigator.platform);
 
-/** What the compiler says about a line of the answer. */
-function marksOf(messages, stem) {
-    const marks = [];
-    for (const [, line, column, severity, message] of messages.matchAll(new RegExp(`^exercises/${stem}\\.c:(\\d+):(\\d+): (?:fatal )?(error|warning): (.*)$`, "gm")))
-        marks.push({ line: Number(line), column: Number(column), severity, message });
-    return marks;
-}
-
-/** A hint in one line for each paragraph: its lines are those of a terminal, and the panel is narrower. */
-function unwrapped(text) {
-    const isWrapped = (line) => /^ {2}\S/.test(line ?? "");
-    return text.split("\n").reduce((lines, line) => isWrapped(line) && isWrapped(lines.at(-1))
-        ? [...lines.slice(0, -1), `${lines.at(-1)} ${line.trim()}`] : [...lines, line], []).join("\n");
-}
-
 export function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict }) {
     const still = $("editor").querySelector("pre"), blank = still.textContent;
     const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
     const say = (words) => { $("state").textContent = words; };
     const saved = () => answers.isKept(stem) ? "Your answer is saved." : "Your answer is not saved.";
+    setUpRoom();
     $("judge-keys").textContent = isMac ? "⌘ ⏎" : "Ctrl Enter";
 
     // ---- saving ----------------------------------------------------------------------------------
@@ -126,7 +113,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
 
     // ---- judging ---------------------------------------------------------------------------------
 
-    let judged = null, shown = null, running = false, again = false, subjectName = "";
+    let judged = null, shown = null, running = false, again = false, subject = "";
     let drawn = []; // the figures and pictures in the page
     const isSame = (a, b) => a.length === b.length && a.every((byte, at) => byte === b[at]);
 
@@ -134,17 +121,6 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         $("progress-words").textContent = all > 0 ? `${words}, ${(done / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB` : words;
         $("bar").hidden = all === 0; // without an end it would move, and drawing that takes time from the judge
         $("bar").value = all > 0 ? done / all : 0;
-    }
-
-    /** How many letters a line of the verdict can have: the verdict is laid out for that, as for a terminal. */
-    function columns() {
-        const pre = document.createElement("pre"), letters = Object.assign(document.createElement("span"), { className: "measure", textContent: "0".repeat(100) });
-        pre.append(letters);
-        $("verdict").append(pre);
-        const { paddingLeft, paddingRight } = getComputedStyle(pre);
-        const room = pre.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight), letter = letters.getBoundingClientRect().width / 100;
-        pre.remove();
-        return Math.max(40, Math.min(80, Math.floor(room / letter)));
     }
 
     /** The texts of all chapters: the program of a chapter calls the answers of earlier ones. */
@@ -163,7 +139,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
                 return before.find(is) ?? { script, theme, type: "image/svg+xml", caption: "Yours beside the expected one.", ...await drawFigure(script, theme) };
             }),
             ...verdict.pictures.map(({ bytes, words }) =>
-                before.find((other) => other.words === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words, type: "image/png" })]);
+                before.find((other) => other.caption === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words: "The picture that your code draws", caption: words, type: "image/png" })]);
         if (verdict !== shown || theme !== themeNow())
             return;
         for (const old of drawn.filter((each) => !wanted.includes(each))) {
@@ -192,25 +168,24 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
 
     function show(verdict, text) {
         judged = text;
-        const pre = document.createElement("pre");
-        pre.textContent = verdict.text;
-        pre.dataset.result = verdict.done ? "right" : "wrong";
-        if ($("verdict").textContent !== verdict.text || $("verdict").firstElementChild?.localName !== "pre") {
-            $("verdict").replaceChildren(pre);
-            $("verdict").parentElement.scrollTop = 0; // on a wide screen it scrolls by itself
-        } else {
-            $("verdict").firstElementChild.dataset.result = pre.dataset.result;
+        const { strip, first, details } = shownVerdict(verdict, stem, text, (line) => { showView("code"); choose(tabs[0]); editor.goTo(line); });
+        const isNews = $("first").textContent !== first.map((each) => each.textContent ?? each).join("");
+        $("strip").replaceChildren(...strip);
+        if (isNews) {
+            $("first").replaceChildren(...first); // read aloud
+            $("verdict").scrollTop = 0; // on a wide screen it scrolls by itself
         }
+        $("details").replaceChildren(...details);
+        $("verdict").dataset.result = verdict.done ? "right" : "wrong";
         $("verdict").classList.toggle("old", editor.text() !== judged);
-        document.querySelector(".exercise").classList.add("judged");
-        const functions = functionsOf(verdict.record ?? ""), subject = subjectOf(functions);
-        editor.mark([...(subject ? markOf(subject, text) : []), ...marksOf(verdict.messages ?? "", stem)]);
-        $("summary").replaceChildren(...summary(functions, text, (line) => { choose(tabs[0]); editor.goTo(line); }));
+        editor.mark(marksOf(verdict, stem, text));
         $("way-on").replaceChildren(...(verdict.done ? [wayOn(stem, course)] : []));
-        $("verdict").parentElement.classList.toggle("done", verdict.done);
-        if (functions.length > 0 && (subject?.name ?? "") !== subjectName)
+        const about = verdict.parts.find(({ kind }) => kind === "function")?.label ?? "";
+        if (about !== subject && verdict.total > 0) {
             $("hints").replaceChildren(); // their function is done with
-        subjectName = functions.length > 0 ? subject?.name ?? "" : subjectName;
+            subject = about;
+        }
+        $("hint").hidden = verdict.done;
         shown = verdict;
         drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
         answers.saveJudged(stem, text, verdict);
@@ -232,7 +207,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         showProgress({ words: "Judging", done: 0, all: 0 });
         try {
             showTrouble("");
-            const question = { do: "judge", stem, sources: sources(), records: records(), columns: columns() };
+            const question = { do: "judge", stem, sources: sources(), records: records() };
             let took = 0;
             const hear = (progress) => {
                 if (progress.first) {
@@ -278,20 +253,21 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     $("hint").addEventListener("click", async () => {
         try {
             showTrouble("");
-            const { text, state } = await helper.ask({ do: "hint", stem, sources: sources(), state: answers.note(stem, "hint") ?? "" }, showProgress);
-            answers.saveNote(stem, "hint", state);
-            const pre = Object.assign(document.createElement("pre"), { textContent: unwrapped(text) });
-            $("hints").append(pre);
-            pre.scrollIntoView({ block: "nearest" });
+            const known = [...$("hints").children];
+            let next, isKnown = true;
+            for (let asked = 0; isKnown && asked <= known.length; asked++) { // after a change the judge begins again
+                const { parts, state } = await helper.ask({ do: "hint", stem, sources: sources(), state: answers.note(stem, "hint") ?? "" }, showProgress);
+                answers.saveNote(stem, "hint", state);
+                next = element("li", {}, element("h4", {}, parts[0].label), element("p", {}, parts[0].words.trim()));
+                isKnown = known.some((each) => each.textContent === next.textContent);
+            }
+            if (!isKnown)
+                $("hints").append(next);
+            $("hints").lastElementChild.scrollIntoView({ block: "nearest" });
         } catch (reason) {
             showTrouble(`There is no hint now: ${reason.message}.`);
         }
     });
-
-    // ---- the way between lesson and exercise on a phone ------------------------------------------
-
-    const toExercise = document.querySelector(".to-exercise");
-    new IntersectionObserver(([entry]) => toExercise.classList.toggle("there", entry.isIntersecting)).observe($("exercise"));
 
     // ---- the judge is made ready while the student reads -----------------------------------------
 

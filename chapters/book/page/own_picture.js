@@ -24,10 +24,8 @@ export function setUpOwnPicture({ place, site, course, answers }) {
     words.setAttribute("role", "status");
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Save the picture", hidden: true });
     button.addEventListener("click", () => save(canvas, "ray-casting.png"));
-    const caption = document.createElement("figcaption");
-    caption.append(words, button);
+    place.querySelector("figcaption").append(words, button);
     still.after(canvas);
-    place.append(caption);
 
     let yours = [], shown = "";
     const view = openView(canvas, site, {

@@ -71,7 +71,6 @@ function themePictures() {
 function setUpTheme() {
     const button = $("theme");
     const label = () => { button.textContent = themeNow() === "dark" ? "Light" : "Dark"; button.title = `Use the ${button.textContent.toLowerCase()} theme`; };
-    button.hidden = false;
     button.addEventListener("click", () => {
         const other = themeNow() === "dark" ? "light" : "dark";
         if (other === (dark.matches ? "dark" : "light"))
@@ -103,14 +102,8 @@ function showProgress(course) {
         total += of;
         if (!verdict?.done)
             next ??= each;
-        const link = document.querySelector(`.top nav a[data-stem="${each}"]`);
-        link?.querySelector(".mark")?.remove();
-        link?.querySelector(".mark-words")?.remove();
-        if (verdict?.right > 0)
-            link?.insertAdjacentHTML("beforeend", `<span class="mark" aria-hidden="true">${verdict.done ? "✓" : "·"}</span>` +
-                `<span class="aloud mark-words">, ${verdict.done ? "done" : `${verdict.right} of ${of} functions are right`}</span>`);
-        const place = document.querySelector(`.cards li[data-stem="${each}"] .done`);
-        if (place) {
+        document.querySelector(`.top li[data-stem="${each}"]`)?.style.setProperty("--part", (verdict?.right ?? 0) / of);
+        for (const place of document.querySelectorAll(`li[data-stem="${each}"] .done`)) {
             place.textContent = verdict?.done ? "✓ done" : verdict?.right > 0 ? `${verdict.right} of ${of} right`
                 : answers.text(each) !== null ? `begun, ${of} function${of === 1 ? "" : "s"}` : `${of} function${of === 1 ? "" : "s"}`;
             place.classList.toggle("right", Boolean(verdict?.done));
@@ -137,7 +130,7 @@ async function judgeAll(stems, course, onNext) {
         onNext(each);
         const text = answers.text(each), sources = Object.fromEntries(course.stems.map((one) => [one, answers.text(one)]).filter(([, other]) => other !== null));
         try {
-            const verdict = await helper.ask({ do: "judge", stem: each, sources, records: {}, columns: 80, isDrawn: false });
+            const verdict = await helper.ask({ do: "judge", stem: each, sources, records: {}, isDrawn: false });
             if (answers.text(each) === text) // nothing else was loaded meanwhile
                 answers.saveJudged(each, text, verdict);
         } catch {

@@ -58,19 +58,24 @@ const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-
 const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({
     root, path: `chapters/${stem}/README.md`, marked: join(lessonsFolder, `${stem}.marked.md`), pageOf, used,
 })]));
+const countOf = (stem) => `${functions[stem].length} function${functions[stem].length === 1 ? "" : "s"}`;
 const shortTitle = (stem) => lessons[stem].title.replace(/^\d\d /, "");
 
 const ABOUT = "Write a ray caster in C, one function at a time: short lessons with figures that move, and a judge that says what is wrong and why. In the browser.";
 
+/** Without these a text would be laid out twice. */
+const fonts = (mathematics) => ["source-serif-400-normal", "source-serif-600-normal", ...(mathematics ? ["KaTeX_Main-Regular", "KaTeX_Math-Italic"] : [])];
+
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
-    const chapters = stems.map((other) => `<li><a href="${up}${other}.html" data-stem="${other}"${other === stem ? ' aria-current="page"' : ""} ` +
-        `title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`).join("");
+    const chapters = (asList) => stems.map((other) => `<li data-stem="${other}"><a href="${up}${other}.html"${other === stem ? ' aria-current="page"' : ""}` + (asList
+        ? `><span class="number">${other.slice(0, 2)}</span> <span>${escape(shortTitle(other))}</span> <span class="done">${countOf(other)}</span></a></li>`
+        : ` title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`)).join("");
     const about = escape(stem ? `You write ${lessons[stem].gives.replaceAll("`", "")}.` : ABOUT);
     return `<!DOCTYPE html>
 <html lang="en" data-up="${up}" data-kind="${kind}"${isHandout ? ' data-figures="static"' : ""}${stem && ` data-stem="${stem}"`}>
 <head>
 <meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="viewport" content="width=device-width, initial-scale=1, interactive-widget=resizes-content">
 <meta http-equiv="Content-Security-Policy" content="${POLICY}">
 <meta name="color-scheme" content="light dark">
 <title>${escape(title)}</title>
@@ -80,16 +85,17 @@ function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
 <link rel="manifest" href="${up}course.webmanifest">
 <link rel="stylesheet" href="${up}style.css">
-${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
+${fonts(mathematics).map((font) => `<link rel="preload" href="${up}fonts/${font}.woff2" as="font" type="font/woff2" crossorigin>\n`).join("")}${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
 <script type="module" src="${up}page.js"></script>
 </head>
 <body>
-<noscript><p class="note">The exercises need JavaScript, which is off. Lessons and figures can be read without it.</p></noscript>
+<noscript><p class="note">JavaScript is off. You can read the lessons and their figures; the exercises need it.</p></noscript>
 <a class="skip" href="#main">To the text</a>${kind === "chapter" ? '\n<a class="skip" href="#exercise">To the exercise</a>' : ""}
 <header class="top">
 <a class="home" href="${up}index.html"${kind === "start" ? ' aria-current="page"' : ""}>Ray casting<span>, step by step</span></a>
-<nav aria-label="Chapters"><ol>${chapters}</ol></nav>
-<div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a><button type="button" id="theme" hidden>Theme</button></div>
+<nav aria-label="Chapters"><button type="button" id="titles" popovertarget="menu" aria-label="Titles and progress">☰</button><ol>${chapters(false)}</ol><p class="title">${stem && escape(shortTitle(stem))}</p>
+<ol id="menu" popover>${chapters(true)}</ol></nav>
+<div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a><button type="button" id="theme">Theme</button></div>
 </header>
 ${main}
 </body>
@@ -105,6 +111,21 @@ function write(name, text) {
 
 write("course.webmanifest", JSON.stringify({ name: "Ray casting, step by step", short_name: "Ray casting", description: ABOUT, start_url: "index.html", scope: ".",
     display: "minimal-ui", background_color: "#ffffff", theme_color: "#005e97", icons: [{ src: "icon.svg", type: "image/svg+xml", sizes: "any" }] }));
+
+const inline = (text) => text.replace(/`([^`]*)`/g, "<code>$1</code>");
+
+/** A lesson begins with what it gives and the picture that it leads to; the lecture's questions are below that, folded. */
+function withOpening({ html, gives, time }) {
+    const at = html.indexOf("<h2"), take = (pattern) => pattern.exec(html.slice(0, at))?.[0] ?? "";
+    const title = take(/<h1.*?<\/h1>/s), asked = take(/<blockquote>.*<\/blockquote>/s), about = take(/<div class="table".*?<\/table><\/div>/s);
+    const goal = /id="the-picture-that-your-code-draws".*?(<img [^>]*>)/s.exec(html)[1].replace(/ loading="lazy"| class="picture"/g, "")
+        .replace(/width="(\d+)" height="(\d+)"/, (_, width, height) => `width="${Math.round(Math.min(208, 168 * width / height))}" height="${Math.round(Math.min(168, 208 * height / width))}"`);
+    const rest = [title, asked, about].reduce((text, each) => text.replace(each, ""), html);
+    return `<header class="opening"><div>${title}
+<p>You write ${inline(escape(gives.split(";")[0]))}. <small>${escape(time.split(";")[0])}.</small></p>
+<details><summary>The lecture's questions</summary>${asked}${about}</details></div>
+<a href="#the-picture-that-your-code-draws">${goal}</a></header>\n${rest}`;
+}
 
 // ---- a chapter ----------------------------------------------------------------------------------
 
@@ -138,13 +159,13 @@ function exercise(stem) {
 <div class="progress" id="progress" hidden><label for="bar" id="progress-words"></label><progress id="bar" max="1"></progress></div>
 <p class="note" id="trouble" role="alert" hidden></p>
 ${unsaved}
-<section class="verdict" aria-labelledby="verdict-title">
-<h3 id="verdict-title">Verdict</h3>
-<div id="summary"></div>
-<div id="verdict" aria-live="polite" aria-atomic="true"><p>Nothing is judged yet. Press <q>Judge</q>, or stop typing for a moment.</p></div>
-<div id="verdict-pictures"></div>
+<section class="verdict" id="verdict" aria-labelledby="verdict-title">
+<h3 class="aloud" id="verdict-title">Verdict</h3>
+<ol id="strip" aria-label="The functions"></ol>
+<p id="first" aria-live="polite">Nothing is judged yet. Press <q>Judge</q>, or stop typing for a moment.</p>
+<div class="found"><div id="details"></div><div id="verdict-pictures"></div></div>
 <p id="way-on"></p>
-<div id="hints" aria-live="polite"></div>
+<ol id="hints" aria-live="polite" aria-label="Hints"></ol>
 </section>
 </section>`;
 }
@@ -153,27 +174,28 @@ for (const stem of stems) {
     const lesson = lessons[stem];
     write(`${stem}.html`, frame({ title: `${lesson.title} · Ray casting`, kind: "chapter", stem, mathematics: lesson.html.includes('class="katex'),
         main: `<main class="chapter" id="main">
-<article class="lesson" aria-label="Lesson">
-${lesson.html}
+<article class="lesson" id="lesson" aria-label="Lesson">
+${withOpening(lesson)}
 </article>
+<div class="divider" id="divider" role="separator" tabindex="0" aria-orientation="vertical" aria-label="Room for the lesson, in percent" aria-controls="lesson" aria-valuemin="25" aria-valuemax="75" aria-valuenow="50"></div>
 ${exercise(stem)}
 </main>
-<a class="to-exercise" href="#exercise">To the exercise</a>` }));
+<div class="views" id="views" role="tablist" aria-label="Parts of the chapter">${["lesson", "code", "verdict"].map((view) =>
+        `<button type="button" role="tab" id="view-${view}" aria-controls="${view === "code" ? "exercise" : view}" aria-selected="false">${view[0].toUpperCase()}${view.slice(1)}</button>`).join("")}</div>` }));
 }
 writeFileSync(`${site}-course.json`, JSON.stringify({ stems, functions, titles: Object.fromEntries(stems.map((stem) => [stem, lessons[stem].title])) }));
 
 // ---- the start page -----------------------------------------------------------------------------
 
-const inline = (text) => text.replace(/`([^`]*)`/g, "<code>$1</code>");
 const finale = "chapters/07-shading/finale.png";
 used.add(finale);
 const cards = stems.map((stem) => `<li data-stem="${stem}"><a href="${stem}.html"><span class="number">${stem.slice(0, 2)}</span>
 <span class="title">${escape(shortTitle(stem))}</span></a>
 <p>You write ${inline(escape(lessons[stem].gives))}.</p>
-<p class="meta"><span class="time">${escape(lessons[stem].time.split(";")[0])}</span><span class="done" data-of="${functions[stem]?.length ?? 0}">${functions[stem]?.length ?? 0} function${functions[stem]?.length === 1 ? "" : "s"}</span></p></li>`).join("\n");
+<p class="meta"><span class="time">${escape(lessons[stem].time.split(";")[0])}</span><span class="done">${countOf(stem)}</span></p></li>`).join("\n");
 write("index.html", frame({ title: "Ray casting, step by step", kind: "start", main: `<main class="start" id="main">
 <div class="hero">
-<figure id="picture"><img src="${finale}" alt="A sphereflake of mirrors among marbles, cast by the code of this course" width="1280" height="720" fetchpriority="high"></figure>
+<figure id="picture"><img src="${finale}" alt="A sphereflake of mirrors among marbles, cast by the code of this course" width="1280" height="720" fetchpriority="high"><figcaption></figcaption></figure>
 <div class="lead">
 <h1>Ray casting, step by step</h1>
 <p>Answer the questions of a lecture, in C, one function at a time. Each chapter is a short lesson with figures that you can move, and an

@@ -77,7 +77,7 @@ const program = process.env[browserName.toUpperCase()] ??
     execSync(`for name in ${NAMES[browserName]}; do command -v $name && break; done`, { encoding: "utf8" }).trim();
 
 /** Milliseconds: for what hangs. A test waits for what happens, however busy the machine is. */
-const HANGS = 900_000;
+const HANGS = Number(process.env.HANGS) || 900_000;
 const SILENT = 30_000; // after so many the page ends a Worker (worker_questions.js); in tests, after HANGS
 
 export function launch() {

@@ -10,6 +10,7 @@ import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, syml
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import test from "node:test";
+import { partsOf } from "../../../chapters/book/judge.js";
 import { WholeCompilerNeeded } from "../../../chapters/book/tools.js";
 import { openSite } from "./in_node.mjs";
 
@@ -46,27 +47,35 @@ function inTerminal(stem, sources) {
 
 const { tools, newJudge } = await openSite(site);
 let isWhole = false;
-async function inPage(stem, sources, what) {
+async function inPage(stem, sources, what, how = {}) {
     try {
-        return (await newJudge().draw({ stem, sources }, async (words, all) => tools.link(words, all))).text;
+        return (await newJudge().draw({ stem, sources, ...how }, async (words, all) => tools.link(words, all))).text;
     } catch (error) {
         if (!(error instanceof WholeCompilerNeeded) || isWhole)
             throw error;
         assert.doesNotMatch(what, /^(all blank|right)/, "the whole compiler is needed");
         isWhole = true;
         await tools.takeWhole();
-        return inPage(stem, sources, what);
+        return inPage(stem, sources, what, how);
     }
 }
 
 // ---- both ------------------------------------------------------------------------------------------------
 
+const FOR_A_TERMINAL = /\bmake [a-z]+ ?(EX|TASK|ANSWERS|FIGURE)?=|\bmake (exercises|hint|debug|watch|figures)|gnuplot|\bbuild\/|README|\.(svg|png|gp)\b/;
 // The compilers' own words differ.
 const told = (text) => text.replace(/ error: .*/, " error").replace(/^exercises\/.*: warning: .*\n(.+\n)*/gm, "");
 const compare = (stem, what, sources) => test(`${stem}, ${what}`, async () => {
     const ours = told(inTerminal(stem, { ...blanks, ...sources })), theirs = told(await inPage(stem, { ...blanks, ...sources }, what));
     assert.equal(theirs, ours);
     assert.ok(ours.length > 50, ours);
+    // As parts for a page: the same words, without what belongs to a terminal.
+    const plain = (words) => words.replace(/[\s~]/g, "").toLowerCase(), said = plain(theirs);
+    const parts = partsOf(await inPage(stem, { ...blanks, ...sources }, what, { web: true })).filter(({ kind }) => kind !== "compiler" && kind !== "printed");
+    assert.deepEqual(parts.map(({ words }) => words).filter((words) => !said.includes(plain(words))), []);
+    assert.ok(parts.some(({ words }) => words.length > 10), JSON.stringify(parts));
+    for (const { words } of parts)
+        assert.doesNotMatch(words, FOR_A_TERMINAL);
 });
 
 /** COUNT wrong answers: in each, another operator of the right answer is the opposite one. */

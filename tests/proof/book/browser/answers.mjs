@@ -101,7 +101,7 @@ test("a student's answer", async (t) => {
         writeFileSync(join(scratch, "submission.zip"), zip);
         await start.evaluate(() => localStorage.clear());
         await start.reload({ waitUntil: "load" });
-        await waitFor("the page", () => start.$eval("#theme", (each) => !each.hidden));
+        await waitFor("the page", () => start.$eval("#theme", (each) => each.title !== ""));
         const input = await start.$("#upload");
         await input.uploadFile(join(scratch, "submission.zip"));
         await waitFor("'Loaded 03'", async () => /Loaded 03/.test(await textOf(start, "#state")));

@@ -1,11 +1,12 @@
-// functions.mjs - a wrong answer to each function, in a real browser: the verdict is the one of the same programs in node,
-// word for word (verdicts.mjs compares those with the terminal). Engines of JavaScript differ in how a program
-// ends, and in little else.
+// functions.mjs - a wrong answer to each function, in a real browser: the record is the one of the same programs in node
+// (verdicts.mjs compares those with the terminal), and the page shows all that the judge says. Engines of JavaScript
+// differ in how a program ends, and in little else.
 //
 // Usage: BROWSER=chromium|firefox CHAPTERS=01,05 node functions.mjs SITE
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
+import { partsOf } from "../../../../chapters/book/judge.js";
 import { openSite } from "../in_node.mjs";
 import { begin, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
 
@@ -19,9 +20,9 @@ const { tools, newJudge } = await openSite(folder), sources = {}, records = new 
 
 async function verdictHere(judge, stem, text) {
     sources[stem] = text;
-    const verdict = await judge.draw({ stem, sources, columns: 80 }, async (words, all) => tools.link(words, all));
+    const verdict = await judge.draw({ stem, sources, web: true }, async (words, all) => tools.link(words, all));
     records.set(`build/exercises/verdict/${stem}.record`, verdict.record);
-    return verdict.text;
+    return { record: verdict.record, words: partsOf(verdict.text).filter(({ kind, words }) => !["hint", "compiler"].includes(kind) && !/~.*, /.test(words)).map(({ words }) => words) };
 }
 
 // ---- wrong answers -----------------------------------------------------------------------------------
@@ -39,7 +40,7 @@ function wrong(solution, name) {
 
 const { host, browser } = await begin(folder);
 test("a wrong answer to each function has the verdict of node", async () => {
-    const tab = await openTab(browser, host.address, { width: 1920, height: 1000 }); // room for 80 columns
+    const tab = await openTab(browser, host.address);
     for (const stem of stems) {
         const solution = readFileSync(`solutions/${stem}.c`, "utf8"), judge = newJudge(records);
         const names = readFileSync(`build/answer_names/${stem}`, "utf8").trim().split("\n").map((line) => line.split(" ")[0]);
@@ -47,11 +48,13 @@ test("a wrong answer to each function has the verdict of node", async () => {
         await waitForEditor(tab);
         for (const name of names) {
             const text = wrong(solution, name);
-            const wanted = await verdictHere(judge, stem, text), now = () => tab.$eval("#verdict", (each) => each.textContent);
+            const wanted = await verdictHere(judge, stem, text);
             await replaceText(tab, text, { judge: true });
-            await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict pre[data-result]") !== null &&
+            await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict[data-result]") !== null &&
                 !document.querySelector("#verdict").classList.contains("old") && /judged/.test(document.querySelector("#state").textContent))); // with its pictures
-            assert.equal(await now(), wanted, `${stem}, ${name}`);
+            assert.equal(await tab.evaluate((key) => localStorage.getItem(key), `ray-casting /course/ ${stem} record`), wanted.record, `${stem}, ${name}`);
+            const plain = (words) => words.replace(/[\s~\u00a0]/g, "").toLowerCase(), shown = plain(await tab.$eval("#verdict", (each) => each.textContent));
+            assert.deepEqual(wanted.words.filter((words) => !shown.includes(plain(words))), [], `${stem}, ${name}: all that the judge says is shown`);
         }
     }
     assert.deepEqual(tab.faults, []);
