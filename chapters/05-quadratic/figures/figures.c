@@ -536,7 +536,7 @@ static void parabola_labels(Plot *plot, const Graph *g)
     Label words[6] = {{"$f (t) = |p + t v|² − r²$", "ink", .step = 2},
                       {right.s, "ink", .step = 2},
                       {above     ? "$f (0) = c =$ {c}"
-                       : s->near ? "$f (0) = c =$ {c} is off the top"
+                       : s->near ? "$f (0) = c =$ {c} is higher up"
                                  : "$f (0) = c =$ {c}, $t$ = 0 is far away",
                        "grey", .step = 2}};
     int count = 3;

@@ -154,7 +154,7 @@ static void spots_data(Plot *plot, const Drawing *drawing, Resolution size)
     view_free(&view);
 }
 
-// Two panels, from which the layout leaves room for a line of words above, and three below.
+// Two panels, from which the layout leaves room for a line of words above, and two below.
 static void side_by_side(Plot *plot, Resolution size)
 {
     static const Room rooms[] = {{0.012, 0.494, 0.155, 0.795}, {0.506, 0.988, 0.155, 0.795}};

@@ -39,24 +39,19 @@ shining = sprintf("for [_=3:%d:1000]", has_highlight && !wrong ? step : 0)
 shadowed = sprintf("for [_=4:%d:1000]", has_shadow && !wrong ? step : 0)
 black_line = "vectors nohead lw 4 lc rgb 'black'"
 white_line = "vectors nohead lw 1.8 lc rgb 'white'"
-# Below the picture, two lines of words or three.
+# Below the picture, two lines of words.
 below(panel, line) = sprintf("(U(%d,columns/2.0)):(V(%d,0)-24-31*%d)", panel, panel, line)
 name_1 = below(1, 0)
 name_2 = below(2, 0)
 more_1 = below(1, 1)
 more_2 = below(2, 1)
-rest_2 = below(2, 2)
-in_two = shape eq "4:3" && !wrong
 
 plot for [panel=1:1] @in_panel title cast_title(1, "flat"), \
     $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
     $once using @more_1:(wrong ? "" : "one colour each") with labels tc rgb grey title "flat, in words", \
     for [_=2:step:1000] for [panel=2:2] @in_panel title cast_title(2, "shaded"), \
     @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
-    @step2 $once using @more_2:(wrong || in_two ? "" : "what the light makes of it") with labels tc rgb grey \
-        title "shaded, in words", \
-    @step2 $once using @more_2:(in_two ? "what the light" : "") with labels tc rgb grey title "shaded, in words", \
-    @step2 $once using @rest_2:(in_two ? "makes of it" : "") with labels tc rgb grey title "shaded, in words", \
+    @step2 $once using @more_2:(wrong ? "" : "with light and shadow") with labels tc rgb grey title "shaded, in words", \
     @shining $highlight using @to_highlight with @black_line title "to the highlight", \
     @shining $highlight using @to_highlight with @white_line title "to the highlight, inside", \
     @shining $highlight using @at_highlight:("highlight") with labels tc rgb ink title "highlight", \
