@@ -9,9 +9,8 @@
 
 static double half_distance = 14;
 
-// The colour that is left of 'color' after a way of this length through fog of the colour 'fog'. On
-// each piece of the way of the length 'half_distance', half of the light is lost and replaced by
-// the fog's.
+// Returns the colour that the eye sees if light of this colour goes this length through the fog.
+// After each 'half_distance', half of the light that is left is lost, and fog replaces it.
 static Color seen_through_fog(Color color, Color fog, double length)
 {
     // BEGIN SOLUTION
@@ -33,7 +32,7 @@ static Color color_of_pixel(const Drawing *drawing, Pixel pixel)
 int main(int argc, char **argv)
 {
     const Option options[] = {
-        {"half", 'd', "LENGTH", option_number, &half_distance, "way on which half is lost (14)"},
+        {"half", 'd', "LENGTH", option_number, &half_distance, "after which half is lost (14)"},
         {0}};
     return task_run(argc, argv,
                     (Task){.purpose = "Draws a row of columns in fog.",

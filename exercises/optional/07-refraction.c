@@ -12,7 +12,7 @@ static double glass = 1.5;
 
 // The direction in which light goes on when it passes from one material to another (Snell's law):
 // sin(angle before) = ratio sin(angle after), with both angles from the line of the normal. The
-// result is unit and lies in the plane of the direction and the normal. If there is no such
+// result is a unit vector in the plane of the direction and the normal. If there is no such
 // direction, all light is reflected: return what your mirror_direction says. direction and normal
 // are unit. The normal points to the side from which the light comes.
 static vec3 refracted_direction(vec3 direction, vec3 normal, double ratio)

@@ -8,8 +8,8 @@ static double degrees = 180;
 
 // The picture of a fisheye lens is a disc. The middle of the disc shows what is straight ahead. The
 // distance of a place from the middle is proportional to the angle between its direction and
-// forward: at the rim, which is at distance 1, the angle is half of 'degrees'. The direction lies
-// on the same side of forward as the place lies of the middle.
+// forward: at the rim, which is at distance 1, the angle is half of 'degrees'. A place to
+// the right of the middle shows what is to the right of forward; one above it, what is above.
 //
 // right, up: the place in the disc, from its middle, -1 to 1. Returns the direction, of any length.
 static vec3 fisheye_direction(Camera c, double right, double up)

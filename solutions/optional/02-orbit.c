@@ -8,12 +8,12 @@
 
 static const vec3 middle_of_the_room = {0, 1.3, 0, 0};
 
-// The look-at of a camera on a circle around the place 'at'. The circle is level, 'above' higher
-// than that place, and has this radius. The eye starts behind the place, in the direction of -z
-// from the middle of the circle. After a quarter of a turn it is in the direction of +x, and after
-// half a turn in the direction of +z. It always looks at the place, and up is +y. The image plane
-// is seen under 75 degrees and is as wide as high, times 4 to 3: your width_from_angle says how
-// wide.
+// The look-at of a camera on a circle around the place 'at'. The circle is horizontal, by 'above'
+// higher than that place, and has this radius. The eye starts behind the place, in the direction of
+// -z from the middle of the circle. After a quarter of a turn it is in the direction of +x, and
+// after half a turn in the direction of +z. It always looks at the place, and up is +y. The image
+// plane has the aspect ratio 4 to 3 and is seen under 75 degrees: your width_from_angle says how
+// wide it is.
 static LookAt look_from_orbit(vec3 at, double radius, double above, double turns)
 {
     // BEGIN SOLUTION
