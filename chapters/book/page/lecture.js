@@ -2,7 +2,7 @@
 // speaker, an overview, a pen. One classic script, so the page also works as a file, without a server; then its figures
 // are static, because a browser starts no Worker there.
 import { liveFigure } from "./figures.js";
-import { functionsOf } from "./verdict.js";
+import { shown } from "./verdict.js";
 import { Helper } from "../worker_questions.js";
 
 const WIDTH = 960, HEIGHT = 540; // of a slide
@@ -196,19 +196,18 @@ async function judgeLine() {
     const [stem, name] = $("line").querySelector("select").value.split("/"), said = $("line").querySelector("output");
     const words = $("line").querySelector("textarea").value.trim(), sources = { [stem]: answerWith(blanks[stem], name, words) };
     const tell = (...parts) => said.replaceChildren(...parts);
-    const shown = ({ progress, record, messages, text, scripts, pictures: drawn }) => {
-        const of = functionsOf(record ?? "").find((each) => each.name === name), { state, values: { why, expected, yours } } = of ?? { values: {} };
-        const line = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
-        const cause = why || "not right yet", result = state === "right" ? "✓ Right." : state === "wrong" ? `✗ ${cause[0].toUpperCase()}${cause.slice(1)}` : "✗ Not judged";
-        tell(line("p", result), ...(expected && state === "wrong" ? [line("pre", `expected ${expected}\nyours    ${yours}`)] : state ? [] : [line("pre", /error: .*/.exec(messages)?.[0] ?? text)]));
+    const show = ({ progress, scripts, pictures: drawn, ...verdict }) => {
+        const state = verdict.states[name], { first: [cause], details } = shown(verdict, stem, "", () => {});
+        const result = state === "right" ? "✓ Right." : state === "wrong" ? `✗ ${cause}` : `✗ Not judged. ${cause}`;
+        tell(Object.assign(document.createElement("p"), { textContent: result }), ...details.filter(({ localName }) => localName === "table" && state === "wrong"));
         const image = (bytes, type) => Object.assign(new Image(), { src: URL.createObjectURL(new Blob([bytes], { type })), alt: "What it draws" });
         if (!progress && scripts[0])
             drawer.ask({ do: "script", script: scripts[0], theme: themeNow() }).then(({ svg }) => said.prepend(image(svg, "image/svg+xml")), () => {});
         else if (drawn[0])
             said.prepend(image(drawn[0].bytes, "image/png"));
     };
-    await judge.ask({ do: "judge", stem, sources, records: {}, columns: 80 }, ({ words: doing, first }) => (first ? shown({ ...first, progress: true }) : tell(`${doing} …`)))
-        .then(shown, (reason) => tell(`It could not be judged: ${reason.message}.`));
+    await judge.ask({ do: "judge", stem, sources, records: {} }, ({ words: doing, first }) => (first ? show({ ...first, progress: true }) : tell(`${doing} …`)))
+        .then(show, (reason) => tell(`It could not be judged: ${reason.message}.`));
 }
 
 // ---- for the speaker ------------------------------------------------------------------------------------

@@ -116,7 +116,7 @@ test("a student's line is judged and drawn", async () => {
     };
     await press(tab, "p");
     assert.equal(await waitFor("the slide's function", () => tab.$eval("#line select", (each) => each.selectedOptions[0]?.text)), "Normalized screen_to_normalized(ScreenPoint point, Resolution screen)");
-    assert.match(await judged("{point.x / screen.width, point.y / screen.height}", "✗"), /y counts down from the top[^]*expected \(/);
+    assert.match(await judged("{point.x / screen.width, point.y / screen.height}", "✗"), /counts down from the top[^]*expected\s+\(/i);
     await waitFor("its figure", () => tab.$eval("#line output", (each) => each.querySelector("img")?.naturalWidth > 0));
     assert.match(await judged("return (Normalized){point.x / width, 0};", "Not judged"), /width/);
     await judged("double y = point.y / screen.height;\nreturn (Normalized){point.x / screen.width, 1 - y};", "✓ Right");
