@@ -9,6 +9,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+bool story_names_functions;
+static const char *functions_of_line;
+
+void story_by(const char *functions)
+{
+    functions_of_line = functions;
+}
+
 void story_heading(const char *format, ...)
 {
     va_list arguments;
@@ -25,6 +33,9 @@ void story_line(const char *label, const char *format, ...)
     va_start(arguments, format);
     printf("  %-27s ", label);
     vprintf(format, arguments);
+    if (story_names_functions && functions_of_line != NULL)
+        printf("\t%s", functions_of_line);
+    functions_of_line = NULL;
     printf("\n");
     va_end(arguments);
 }

@@ -4,11 +4,18 @@
 
 #include "common/camera.h"
 
+#include <stdbool.h>
+
 // An empty line and a heading.
 void story_heading(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // A label of up to 27 columns, and what belongs to it.
 void story_line(const char *label, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The exercise functions that compute the numbers of the next line, separated by blanks. Printed
+// only if somebody wants it, as a page does: after a tab at the end of the line.
+void story_by(const char *functions);
+extern bool story_names_functions;
 
 // The seven parts of a camera, a line each.
 void story_camera(Camera camera);

@@ -94,10 +94,14 @@ static Ray the_ray(const Shot *shot)
     Ray ray = pixel_ray(shot->camera, shot->size, shot->pixel);
     story_heading("From the pixel to its ray");
     story_line("pixel (column, row)", "(%d, %d)", shot->pixel.column, shot->pixel.row);
+    story_by("pixel_center");
     story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
+    story_by("screen_to_normalized");
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
     story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, shot->camera).direction).s);
+    story_by("pixel_ray");
     story_line("ray: origin     p", "%s", vec3_text(ray.origin).s);
+    story_by("pixel_ray");
     story_line("ray: direction  v", "%s", vec3_text(ray.direction).s);
     return ray;
 }
@@ -121,7 +125,9 @@ static void verdict(Quadratic q, Roots roots, double hit)
     story_line("    b^2 - 4ac", "%s%s", number_text(discriminant(q)).s, discriminant_says(q, none));
     if (none)
         return;
+    story_by("sphere_roots");
     story_line("    roots", "%s and %s", number_text(roots.t[0]).s, number_text(roots.t[1]).s);
+    story_by("hit_sphere");
     if (!(hit < NO_HIT))
         story_line("    hit", "none: both are behind the eye");
     else
@@ -138,7 +144,9 @@ static void one_sphere(Ray ray, const Scene *scene, int i)
     Quadratic q = object_quadratic(moved, sphere.radius);
     printf("  %-3s centre %s, radius %s\n", sphere_name(i).s, vec3_text(sphere.center).s,
            number_text(sphere.radius).s);
+    story_by("to_object_coordinates");
     story_line("    p - centre", "%s", vec3_text(moved.origin).s);
+    story_by("object_quadratic");
     story_line("    a, b, c", "%s, %s, %s", number_text(q.a).s, number_text(q.b).s,
                number_text(q.c).s);
     verdict(q, sphere_roots(ray, sphere), hit_sphere(ray, sphere));
@@ -204,6 +212,7 @@ static void the_color(const Shot *shot, Hit nearest)
     story_line(label, "%s", vec3_text(color).s);
     story_line("as bytes, round(255 c)", "%d, %d, %d  #%02x%02x%02x", bytes[0], bytes[1], bytes[2],
                bytes[0], bytes[1], bytes[2]);
+    story_by("cast_image_order");
     if (pixel_as_cast(shot, cast))
         story_line("in the picture", "%d, %d, %d%s", cast[0], cast[1], cast[2],
                    memcmp(bytes, cast, 3) == 0 ? ", the same"

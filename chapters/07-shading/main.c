@@ -2,6 +2,7 @@
 //
 // Draws a scene with light. Without arguments it draws the deck's closing slide again: three
 // spheres, flat and shaded, side by side.
+#include "chapters/07-shading/explain_light.h"
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures/figures.h"
 #include "chapters/shared/lighting.h"
@@ -11,101 +12,10 @@
 #include "common/picture.h"
 #include "common/story.h"
 #include "common/text.h"
-#include "exercises/04-pixel-ray.h"
-#include "exercises/06-ray-casting.h"
-#include "exercises/07-shading.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-// ---- the light at one point, in numbers ---------------------------------------------------------
-
-// The colour that shade returns for one light alone, and a surface with only one of the two terms.
-static vec3 one_term(const Scene *scene, Light light, Ray ray, Hit hit, bool diffuse)
-{
-    Surface surface = *scene_surface(scene, hit.sphere);
-    Scene alone = *scene;
-    *(diffuse ? &surface.specular : &surface.diffuse) = 0;
-    alone.ambient = vec3_of(0, 0, 0);
-    alone.lights = &light;
-    alone.light_count = 1;
-    alone.surfaces = &surface;
-    alone.surface_count = 1;
-    Sphere *spheres = malloc((size_t)scene->sphere_count * sizeof *spheres);
-    if (spheres == NULL)
-        return vec3_of(NAN, NAN, NAN);
-    memcpy(spheres, scene->spheres, (size_t)scene->sphere_count * sizeof *spheres);
-    for (int i = 0; i < scene->sphere_count; i++)
-        spheres[i].surface = 0;
-    alone.spheres = spheres;
-    vec3 color = shade(&alone, ray, hit);
-    free(spheres);
-    return color;
-}
-
-static void tell_surface(const Scene *scene, int sphere)
-{
-    const Surface *surface = scene_surface(scene, sphere);
-    story_line("colour, Kd, Ks, Shine", "%s, %s, %s, %s", vec3_text(surface->color).s,
-               number_text(surface->diffuse).s, number_text(surface->specular).s,
-               number_text(surface->shine).s);
-    story_line("ambient", "%s",
-               vec3_text(ambient_term(surface->color, surface->diffuse, scene->ambient)).s);
-}
-
-static void tell_light(const Scene *scene, int i, Ray ray, Hit hit, vec3 normal, vec3 start)
-{
-    Light light = scene->lights[i];
-    const Surface *surface = scene_surface(scene, hit.sphere);
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 to_light = ray_to_light(point, light).direction;
-    bool arrives = visibility(scene, start, light) > 0;
-    story_heading("Light %d, %s", i + 1, vec3_text(light.color).s);
-    story_line("from the point to it", "%s, unit %s", vec3_text(to_light).s,
-               vec3_text_to(vec3_unit(to_light), 4).s);
-    story_line("arrives", "%s", arrives ? "yes" : "no: something is in between");
-    story_line("cosine with the normal", "%s",
-               number_text(vec3_dot(normal, vec3_unit(to_light))).s);
-    story_line("diffuse", "%s", vec3_text_to(one_term(scene, light, ray, hit, true), 4).s);
-    story_line("specular, Phong", "%s", vec3_text_to(one_term(scene, light, ray, hit, false), 4).s);
-    story_line("specular, Blinn", "%s",
-               vec3_text_to(halfway_term(surface->specular, surface->shine,
-                                         arrives ? light.color : vec3_of(0, 0, 0), normal, to_light,
-                                         -ray.direction),
-                            4)
-                   .s);
-}
-
-// Prints the light that the ray of a pixel sees, term by term, with depth mirrors.
-static void tell_shading(const Drawing *drawing, Pixel pixel, int depth)
-{
-    const Scene *scene = &drawing->scene;
-    Resolution screen = drawing->image.size;
-    Ray ray = pixel_ray(drawing->camera, screen, pixel);
-    Hit hit = nearest_hit(ray, scene);
-    printf("07-shading: light, and the colour that a surface sends back\n");
-    story_heading("What pixel (%d, %d) sees", pixel.column, pixel.row);
-    if (hit.sphere < 0) {
-        story_line("nothing", "the background, %s", vec3_text(scene->background).s);
-        return;
-    }
-    Sphere sphere = scene->spheres[hit.sphere];
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = surface_normal(sphere, point);
-    vec3 start = offset_from_surface(sphere, point, normal);
-    story_line("sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
-    story_line("point", "%s", vec3_text(point).s);
-    story_line("normal", "%s", vec3_text(normal).s);
-    story_line("shadow bias", "%s", number_text(vec3_length(start - point)).s);
-    tell_surface(scene, hit.sphere);
-    for (int i = 0; i < scene->light_count; i++)
-        tell_light(scene, i, ray, hit, normal, start);
-    story_heading("Together");
-    story_line("shade", "%s", vec3_text_to(shade(scene, ray, hit), 4).s);
-    story_line("with mirrors", "%s", vec3_text_to(trace_ray(scene, ray, depth), 4).s);
-    story_line("clamped", "%s", vec3_text_to(clamp_color(trace_ray(scene, ray, depth)), 4).s);
-}
 
 // ---- the program --------------------------------------------------------------------------------
 
@@ -247,7 +157,8 @@ int main(int argc, char **argv)
         options_wrong(argv[0], "--explain: (%d, %d) is not in a picture of %d x %d", pixel.column,
                       pixel.row, drawing.image.size.width, drawing.image.size.height);
     if (argc == 1 || pixel.column >= 0)
-        tell_shading(&drawing, argc == 1 ? in_the_light : pixel, lighting.style.depth);
+        explain_light(scene, drawing.camera, drawing.image.size, argc == 1 ? in_the_light : pixel,
+                      lighting.style.depth);
     if (pixel.column >= 0)
         return story_end();
     keep_term(scene, flat ? TERM_FLAT : term);
