@@ -1,14 +1,19 @@
 // cast.c - a scene, cast tile by tile by the answers that are linked: a program that stays, and
 // that a Worker calls (cast_worker.js).
 //
-// Its scene is the file scene.nff. Messages go to stderr.
+// Its scene is the file scene.nff. Messages go to stderr, the story of a pixel to stdout.
+#include "chapters/06-ray-casting/explain.h"
+#include "chapters/07-shading/explain_light.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/light.h"
 #include "chapters/shared/scene_camera.h"
+#include "common/story.h"
+#include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define EXPORTED(name) __attribute__((export_name(#name)))
 
@@ -143,6 +148,40 @@ static bool is_extreme(const Tile *tile)
     return extreme_light(&asked);
 }
 
+// ---- a whole picture in flat colours: the two orders of chapter 06, and chapter 08's engines ----
+
+static bool by_order(const Tile *tile, const char *order)
+{
+    Message message;
+    Resolution size = tile->rendering.screen;
+    Camera camera = tile->rendering.camera;
+    image_free(&image);
+    double *depth = malloc(sizeof *depth * (size_t)size.width * (size_t)size.height);
+    const Engine *engine = engine_named(order);
+    work = (Work){.scene = &scene, .camera = camera, .image = &image, .threads = 1};
+    samples_seen = 0;
+    bool ready = depth != NULL && image_create(&image, size, &message);
+    if (ready && engine != NULL)
+        ready = engine->cast(&work, &message);
+    else if (ready && strcmp(order, "object order") == 0)
+        cast_object_order(&scene, camera, &image, depth);
+    else if (ready)
+        cast_image_order(&scene, camera, &image);
+    free(depth);
+    return ready;
+}
+
+// ---- what the page calls -----------------------------------------------------------------------
+
+// Who casts: an engine, "image order" or "object order"; empty: chapter 07's light. The page writes
+// it.
+EXPORTED(caster) char *caster(void);
+static char caster_name[40];
+char *caster(void)
+{
+    return caster_name;
+}
+
 // Casts the columns left to right - 1 and the rows top to bottom - 1 of a picture. NULL: there is
 // no such picture; a message says why, unless the reason is a lack of memory.
 EXPORTED(cast)
@@ -160,11 +199,26 @@ const uint8_t *cast(int width, int height, int samples, int depth, int left, int
     pixels = malloc(4 * (size_t)(right - left) * (size_t)(bottom - top));
     if (pixels == NULL || !find_camera(tile.rendering.screen, &tile.rendering.camera))
         return NULL;
-    if (scene.sphere_count < MANY || is_extreme(&tile))
+    bool by_light = caster_name[0] == '\0';
+    if (by_light && (scene.sphere_count < MANY || is_extreme(&tile)))
         by_trace_ray(&tile);
-    else if (by_hierarchy(&tile))
+    else if (by_light ? by_hierarchy(&tile) : by_order(&tile, caster_name))
         copy(&tile);
     else
         return NULL;
     return pixels;
+}
+
+// Prints the story of a pixel, from its column and row to its colour, by the functions that are
+// linked.
+EXPORTED(explain_pixel) bool explain_pixel(int width, int height, int depth, int column, int row);
+bool explain_pixel(int width, int height, int depth, int column, int row)
+{
+    Shot shot = {.scene = &scene, .size = {width, height}, .pixel = {column, row}};
+    if (!find_camera(shot.size, &shot.camera))
+        return false;
+    story_names_functions = true;
+    explain(&shot, "scene.nff");
+    explain_light(&scene, shot.camera, shot.size, shot.pixel, depth);
+    return fflush(stdout) == 0;
 }

@@ -1,43 +1,54 @@
 // cast_worker.js - one Worker of the pool (pool.js): casts tiles of a scene by one program, cast.c with its answers.
-import { Files, wasi } from "../wasi.js";
+import { Exit, Files, wasi } from "../wasi.js";
 
-let instance, system, files;
+let instance = null, system, files, opened = {};
+const text = (stream) => new TextDecoder().decode(stream.contents());
 
 /** A program, and a scene for it. */
 function open({ program, scene }) {
-    files = new Files(new Map([["scene.nff", scene]]));
-    system = wasi({ files });
-    instance = new WebAssembly.Instance(program, { wasi_snapshot_preview1: system.imports(program) });
-    system.begin(instance);
-    instance.exports._initialize();
+    if (program !== opened.program || instance === null) {
+        system = wasi({ files: files = new Files() });
+        instance = new WebAssembly.Instance(program, { wasi_snapshot_preview1: system.imports(program) });
+        system.begin(instance);
+        instance.exports._initialize();
+    }
+    opened = { program, scene };
+    files.put("scene.nff", scene);
     check(instance.exports.open_scene());
 }
 
+const lastWords = () => text(system.stderr).trim().split("\n").at(-1).replace(/^scene\.nff:/, "line ") || "there is not enough memory";
 /** What the program said is why there is no picture. */
 function check(isGood) {
     if (!isGood)
-        throw new Error(new TextDecoder().decode(system.stderr.contents()).trim().split("\n").at(-1).replace(/^scene\.nff:/, "line ") || "there is not enough memory");
+        throw new Error(lastWords());
 }
 
-/** view: ten numbers (cast.c); none: the scene's own. */
-function cast({ view, width, height, samples, depth, left, top, right, bottom }) {
-    const numbers = () => new Float64Array(instance.exports.memory.buffer, instance.exports.view(), 10);
+/** view: ten numbers (cast.c); none: the scene's own. explained: a pixel, {column, row}, instead of a tile. */
+function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, explained }) {
+    const { exports } = instance, numbers = () => new Float64Array(exports.memory.buffer, exports.view(), 10);
     if (view)
         numbers().set(view);
-    const at = instance.exports.cast(width, height, samples, depth, left, top, right, bottom);
+    if (explained) {
+        system.stdout.resize(0);
+        check(exports.explain_pixel(width, height, depth, explained.column, explained.row));
+        return { story: text(system.stdout) };
+    }
+    new Uint8Array(exports.memory.buffer, exports.caster(), 40).set(new TextEncoder().encode(`${caster}\0`));
+    const at = exports.cast(width, height, samples, depth, left, top, right, bottom);
     check(at !== 0);
-    return { pixels: new Uint8ClampedArray(instance.exports.memory.buffer, at, 4 * (right - left) * (bottom - top)).slice(), view: [...numbers()] };
+    return { pixels: new Uint8ClampedArray(exports.memory.buffer, at, 4 * (right - left) * (bottom - top)).slice(), view: [...numbers()] };
 }
 
-addEventListener("message", ({ data: { opened, tile } }) => {
+addEventListener("message", ({ data: { program, scene, tile } }) => {
     try {
-        if (opened)
-            open(opened);
+        if (program || scene)
+            open({ program: program ?? opened.program, scene: scene ?? opened.scene });
         const done = cast(tile);
-        postMessage(done, [done.pixels.buffer]);
+        postMessage(done, done.pixels ? [done.pixels.buffer] : []);
     } catch (reason) {
         instance = null;
         const isTrap = !(reason instanceof Error) || reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError;
-        postMessage({ failed: isTrap ? "your code crashed" : reason.message });
+        postMessage({ failed: isTrap ? "your code crashed" : reason instanceof Exit ? lastWords() : reason.message });
     }
 });

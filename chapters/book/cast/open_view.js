@@ -25,7 +25,7 @@ export function openView(canvas, site, told) {
     document.addEventListener("visibilitychange", () => {
         if (document.visibilityState === "hidden")
             pool.sleep();
-        else if (view.program)
+        else if (view.opened)
             view.draw();
     });
     return view;

@@ -1,4 +1,4 @@
-// scene.js - how the viewpoint of a scene moves.
+// scene.js - how the viewpoint of a scene moves, and what is in the scene: a text in NFF (common/scene.h).
 
 /** @typedef {[number, number, number]} Vector */
 
@@ -40,3 +40,29 @@ export function fly(view, across, above, ahead) {
     const by = times(step, plus(plus(times(across, right), times(above, up)), times(ahead, forward)));
     return { ...view, from: plus(view.from, by), at: plus(view.at, by) };
 }
+
+// ---- where things are on the picture, and moved there -----------------------------------------------
+
+/** A point in the picture: right and down, in parts of the picture's width, from its middle; ahead: its distance along forward. */
+export function seen(view, point) {
+    const { forward, right, up } = axes(view), to = minus(point, view.from), ahead = dot(to, forward);
+    const width = 2 * ahead * Math.tan(view.angle * Math.PI / 360);
+    return { across: dot(to, right) / width, down: -dot(to, up) / width, ahead };
+}
+
+/** A point, moved by parts of the picture's width to the right and down, and nearer by a part of its distance. */
+export function moved(view, point, across, down, nearer = 0) {
+    const { forward, right, up } = axes(view), { ahead } = seen(view, point), width = 2 * ahead * Math.tan(view.angle * Math.PI / 360);
+    return plus(point, plus(plus(times(across * width, right), times(-down * width, up)), times(-nearer * ahead, forward)));
+}
+
+/** The spheres and lights of a scene: {kind: "s" | "l", line, at}, lines from 0. */
+export const thingsOf = (text) => text.split("\n").flatMap((words, line) => {
+    const [kind, ...numbers] = words.replace(/#.*/, "").trim().split(/\s+/), at = numbers.slice(0, 3).map(Number);
+    return (kind === "s" || kind === "l") && at.length === 3 && at.every(Number.isFinite) ? [{ kind, line, at }] : [];
+});
+
+const short = (x) => String(Number(x.toPrecision(5)));
+/** The text with the thing of a line somewhere else. */
+export const withThing = (text, line, at) => text.split("\n").map((words, i) =>
+    i === line ? words.replace(/^(\s*[sl])\s+\S+\s+\S+\s+[^\s#]+/, `$1 ${at.map(short).join(" ")}`) : words).join("\n");

@@ -16,6 +16,7 @@ const KEYS = {
  * @property {(view: object) => void} [onView] the camera has moved
  * @property {(words: string) => void} [onTrouble] why there is no picture; none: there is one
  * @property {(fine: boolean, milliseconds: number) => void} [onPicture] a picture is complete; not fine: while it moves
+ * @property {(pixel: {column: number, row: number}) => void} [onPoint] a pixel was chosen
  */
 export class SceneView {
     /**
@@ -24,7 +25,7 @@ export class SceneView {
      * @param {{samples?: number, depth?: number} & Told} given samples: in each direction of a pixel, in the end
      */
     constructor(canvas, pool, { samples = 1, depth = 5, ...told }) {
-        Object.assign(this, { canvas, pool, samples, depth, told });
+        Object.assign(this, { canvas, pool, samples, depth, told, caster: "" });
         this.context = canvas.getContext("2d");
         this.divided = 4; // a picture that moves has a pixel for so many columns and rows
         this.version = 0;
@@ -32,12 +33,12 @@ export class SceneView {
     }
 
     /** From now on another program, or another scene. keepsView: the camera stays where it is. */
-    show({ program = this.program, text = this.text, keepsView = false }) {
-        Object.assign(this, { program, text });
-        this.pool.open(program, text);
+    show({ program = this.opened?.program, scene = this.opened?.scene, keepsView = false }) {
+        const isOther = program !== this.opened?.program;
+        this.opened = { program, scene };
         if (!keepsView)
             this.view = null; // until the first tile says it
-        return this.draw();
+        return this.draw(isOther);
     }
 
     /** The camera moves. */
@@ -47,48 +48,46 @@ export class SceneView {
         this.draw();
     }
 
-    /** Draws until the picture is fine, or a newer one begins. */
-    async draw() {
-        const version = ++this.version;
-        if (this.moves) // that goes on with this one
-            return;
-        try {
-            const start = performance.now();
-            await this.drawMoving();
-            for (const pass of this.finer())
-                await this.cast(pass);
-            this.told.onPicture?.(true, performance.now() - start);
-        } catch (reason) {
-            if (reason instanceof Replaced)
-                return;
-            this.told.onTrouble?.(reason.message);
-            if (version !== this.version)
-                this.draw();
+    /** Draws until the picture is fine. A coarse picture that is being drawn is completed first, or what moves would never be seen. */
+    draw(atOnce = false) {
+        this.version++;
+        if (this.isFine || atOnce)
+            this.pool.stop();
+        return this.running ??= this.run().finally(() => { this.running = null; });
+    }
+
+    async run() {
+        for (let version = -1; version !== this.version;) {
+            version = this.version;
+            try {
+                await this.drawOnce(version);
+            } catch (reason) {
+                if (!(reason instanceof Replaced))
+                    this.told.onTrouble?.(reason.message);
+            }
         }
     }
 
-    /** Coarse pictures, as long as there is a newer one. */
-    async drawMoving() {
-        this.moves = true;
-        try {
-            for (let version = -1; version !== this.version;) {
-                version = this.version;
-                const start = performance.now();
-                await this.cast(this.pass(this.divided));
-                const took = performance.now() - start;
-                this.told.onTrouble?.("");
-                this.told.onPicture?.(false, took);
-                this.divided = took > FRAME ? Math.min(16, 2 * this.divided) : took < FRAME / 6 ? Math.max(2, this.divided / 2) : this.divided;
-                await new Promise((resolve) => requestAnimationFrame(resolve));
-            }
-        } finally {
-            this.moves = false;
-        }
+    /** From coarse to fine, unless there is a newer one. */
+    async drawOnce(version) {
+        const start = performance.now(), took = () => performance.now() - start;
+        this.isFine = false;
+        await this.cast(this.pass(this.divided));
+        this.told.onTrouble?.("");
+        this.told.onPicture?.(false, took());
+        this.divided = took() > FRAME ? Math.min(16, 2 * this.divided) : took() < FRAME / 6 ? Math.max(2, this.divided / 2) : this.divided;
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        if (version !== this.version)
+            return;
+        this.isFine = true;
+        for (const pass of this.finer())
+            await this.cast(pass);
+        this.told.onPicture?.(true, took());
     }
 
     pass(divided, samples = 1) {
         const { width, height } = this.canvas, view = this.view && numbersOf(this.view);
-        return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view };
+        return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view, caster: this.caster };
     }
 
     finer() {
@@ -102,7 +101,7 @@ export class SceneView {
     async cast(pass) {
         const { width, height } = this.canvas, isWhole = pass.width === width && pass.height === height;
         const small = isWhole ? null : new OffscreenCanvas(pass.width, pass.height).getContext("2d");
-        await this.pool.cast(pass, ({ left, top, right, bottom }, pixels, view) => {
+        await this.pool.cast(this.opened, pass, ({ left, top, right, bottom }, { pixels, view }) => {
             this.view ??= viewOf(view);
             (small ?? this.context).putImageData(new ImageData(pixels, right - left, bottom - top), left, top);
         });
@@ -142,8 +141,11 @@ export class SceneView {
                 this.look(orbit(this.view, -turn * dx, turn * dy));
             }
         });
-        for (const kind of ["pointerup", "pointercancel"])
-            canvas.addEventListener(kind, (event) => pointers.delete(event.pointerId));
+        canvas.addEventListener("pointercancel", ({ pointerId }) => pointers.delete(pointerId));
+        canvas.addEventListener("pointerup", ({ pointerId, offsetX, offsetY }) => {
+            if (pointers.delete(pointerId) && moved <= 3)
+                this.told.onPoint?.({ column: Math.floor(offsetX * canvas.width / canvas.clientWidth), row: Math.floor(offsetY * canvas.height / canvas.clientHeight) });
+        });
         canvas.addEventListener("wheel", (event) => {
             if (!this.view || document.activeElement !== canvas && !event.ctrlKey)
                 return; // the page scrolls, until the picture is chosen

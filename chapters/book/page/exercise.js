@@ -189,6 +189,8 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         shown = verdict;
         drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
         answers.saveJudged(stem, text, verdict);
+        if (functions.length > 0)
+            live?.follow();
         onVerdict();
     }
 
@@ -247,6 +249,13 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
             judge();
         }
     });
+
+    // ---- a scene, from the chapter on that makes rays: not in a handout's site, which has no reference -----------------
+
+    let live = null;
+    if (stem >= "04" && document.documentElement.dataset.figures !== "static")
+        import("./live_scene.js").then(({ setUpLiveScene }) => { live = setUpLiveScene({ stem, site, course, answers, ask: (what) => helper.ask(what, showProgress) }); })
+            .catch(() => {}); // the exercise goes on without it
 
     // ---- hints -----------------------------------------------------------------------------------
 

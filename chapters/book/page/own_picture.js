@@ -46,8 +46,8 @@ export function setUpOwnPicture({ place, site, course, answers }) {
         },
     });
     async function begin() {
-        const [program, text] = await Promise.all([referenceProgram(site), sceneOf(site, "finale")]);
-        await view.show({ program, text });
+        const [program, scene] = await Promise.all([referenceProgram(site), sceneOf(site, "finale")]);
+        await view.show({ program, scene });
     }
     const ready = begin();
     return async function follow() {

@@ -1,0 +1,108 @@
+// live_scene.mjs - the scene beside an exercise: cast by the student's functions, right or wrong; its things are dragged, its
+// text is written, a link holds it, and a pixel tells its story.
+//
+// Usage: BROWSER=chromium|firefox node live_scene.mjs SITE [FOLDER-FOR-SCREENSHOTS]
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import test from "node:test";
+import { begin, browserName, openTab, replaceInEditor, replaceText, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
+
+const [folder, shots] = process.argv.slice(2);
+const { host, browser } = await begin(folder);
+const stem = "07-shading", right = readFileSync(`solutions/${stem}.c`, "utf8");
+const tab = await openTab(browser, host.address, { width: 1440, height: 900 });
+const shot = (name) => shots && tab.screenshot({ path: join(shots, `live-scene-${browserName}-${name}.png`) });
+
+/** The panel, as soon as its picture is fine. */
+const state = () => tab.$eval(".live-scene", (each) => {
+    const canvas = each.querySelector("canvas"), small = Object.assign(document.createElement("canvas"), { width: 32, height: 24 }).getContext("2d");
+    small.drawImage(canvas, 0, 0, 32, 24);
+    return { isFine: canvas.hasAttribute("data-fine"), colours: [...small.getImageData(0, 0, 32, 24).data], credit: each.querySelector(".credit").textContent,
+        trouble: each.querySelector(".note").textContent, things: [...each.querySelectorAll(".handles button")].map((handle) => handle.getAttribute("aria-label")),
+        story: each.querySelector(".story").textContent };
+}).catch(() => ({}));
+const fine = (what, isWanted) => waitFor(what, async () => { const now = await state(); return now.isFine && isWanted(now) && now; });
+const apart = (a, b) => Math.max(...a.colours.map((each, at) => Math.abs(each - b.colours[at])));
+const sphereA = (now) => /^sphere A at (.*)\. Drag/.exec(now.things.find((each) => each.startsWith("sphere A")))[1].split(",").map(Number);
+
+test("a scene beside the exercise", async (t) => {
+    let reference;
+    await t.test("the reference casts it, while nothing is answered", async () => {
+        await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
+        await waitForEditor(tab);
+        await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus()); // that opens it
+        reference = await fine("a picture", ({ credit }) => /the reference/.test(credit));
+        assert.equal(reference.things.length, 4, "three spheres and a light");
+    });
+    await t.test("right answers give the same picture; a wrong one is seen at once, and the others stay", async () => {
+        await replaceText(tab, right, { judge: true });
+        const mine = await fine("a picture by the answers", ({ credit }) => /^Yours: .*trace_ray/.test(credit));
+        assert.ok(apart(reference, mine) <= 1, `the pictures differ by ${apart(reference, mine)}`);
+        // Only the normal is answered, the same everywhere: the reference's light calls it.
+        const blank = right.replace(/\/\/ BEGIN SOLUTION\n( *\/\/~ .*\n)?[^]*?\/\/ END SOLUTION/g, (all) => /~ return/.test(all) ? all.match(/\/\/~ (.*)/)[1] : "");
+        const wrong = blank.replace("return NOT_ANSWERED(vec3);", "return vec3_of(0, 0, 1);");
+        await replaceText(tab, wrong, { judge: true });
+        const seen = await fine("a wrong picture", ({ credit }) => /surface_normal \(not right yet\)/.test(credit));
+        assert.ok(apart(reference, seen) > 50, "a wrong normal is seen");
+        await shot("wrong");
+        await replaceText(tab, right, { judge: true });
+        await fine("the right picture", (now) => /trace_ray/.test(now.credit) && apart(reference, now) <= 1);
+    });
+    await t.test("a sphere is moved by mouse and by key; the camera by key", async () => {
+        const at = await tab.$eval('.handles button[data-kind="s"]', (each) => { const box = each.getBoundingClientRect(); return { x: box.x + box.width / 2, y: box.y + box.height / 2 }; });
+        const before = sphereA(await state());
+        await tab.mouse.move(at.x, at.y);
+        await tab.mouse.down();
+        await tab.mouse.move(at.x + 40, at.y - 20, { steps: 5 });
+        await tab.mouse.up();
+        const moved = await fine("a moved sphere", (now) => sphereA(now)[0] > before[0] && apart(reference, now) > 50), [x, y, z] = sphereA(moved);
+        // 320 pixels are 2 (20 - 1) tan(42/2) at the distance of its centre.
+        const unit = 2 * 19 * Math.tan(21 * Math.PI / 180) / 320;
+        assert.ok(Math.abs(x - before[0] - 40 * unit) < 0.01 && Math.abs(y - before[1] - 20 * unit) < 0.01 && Math.abs(z - before[2]) < 0.01, `it is at ${[x, y, z]}`);
+        await tab.$eval('.handles button[data-kind="s"]', (each) => each.focus());
+        await tab.keyboard.press("ArrowLeft");
+        await fine("a sphere to the left", (now) => sphereA(now)[0] < x);
+        const still = await state();
+        await tab.focus(".stage canvas");
+        await tab.keyboard.press("ArrowRight");
+        await fine("a turned picture", (now) => apart(still, now) > 20);
+    });
+    await t.test("a pixel tells its story, by the functions of the chapters", async () => {
+        await tab.$eval(".live-scene input", (each) => { each.value = "160,120"; each.dispatchEvent(new Event("change")); });
+        const { story } = await fine("a story", (now) => /normal/.test(now.story));
+        for (const words of ["(160.5, 120.5)03 pixel_center", "05 sphere_roots", "07 surface_normal", "07 trace_ray"])
+            assert.ok(story.includes(words), words);
+        await shot("story");
+        assert.deepEqual(await seriousFindings(tab), []);
+    });
+    let link;
+    await t.test("a written scene has its errors at the line, and a link holds it", async () => {
+        await tab.$$eval(".live-scene .actions button", (all) => all.find((each) => each.textContent === "Write").click());
+        await waitFor("an editor of the scene", () => tab.$eval(".scene-text", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+        const write = (text) => tab.$eval(".scene-text", replaceInEditor, text, false);
+        const view = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nresolution 4 3\nl 0 9 9\n";
+        await write(`${view}s 0 0 0 -1\n`);
+        await waitFor("a message", async () => /line 8: a radius of -1, expected more than 0/.test((await state()).trouble));
+        await waitFor("a mark at the line", () => tab.$eval(".scene-text", (place) => Boolean(place.shadowRoot.querySelector(".cm-lintRange-error"))));
+        await shot("written");
+        await write(`${view}f 1 0 0 1 0 0 0 1\ns 0 0 0 2\n`);
+        const own = await fine("the written scene", ({ trouble, things }) => trouble === "" && things.length === 2);
+        await tab.$$eval(".live-scene .actions button", (all) => all.find((each) => each.textContent === "Link").click());
+        link = await waitFor("a link", () => tab.evaluate(() => location.hash.startsWith("#scene=") && location.href));
+        const other = await openTab(browser, host.address);
+        await other.goto(link, { waitUntil: "load" });
+        await waitFor("the scene of the link", () => other.$eval(".live-scene", (each) =>
+            each.querySelector("canvas[data-fine]") && each.querySelectorAll(".handles button").length === 2 && each.querySelector("select").value === "your own").catch(() => false));
+        assert.deepEqual(sphereA(own), [0, 0, 0]);
+        assert.deepEqual(other.faults, []);
+        await other.close();
+    });
+    await t.test("an endless loop is stopped by the next change", async () => {
+        await replaceText(tab, right.replace("Hit hit = nearest_hit(ray, scene);", "Hit hit = nearest_hit(ray, scene); for (volatile int i = 0; i < 1; i *= 2) {}"), { judge: true });
+        await waitFor("a picture that is not drawn", async () => /trace_ray \(not right yet\)/.test((await state()).credit));
+        await replaceText(tab, right, { judge: true });
+        await fine("a picture again", ({ credit }) => /trace_ray/.test(credit) && !/not right/.test(credit));
+    });
+    await t.test("nothing went wrong in the page", () => assert.deepEqual(tab.faults, []));
+});
