@@ -162,7 +162,8 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
         while (handles.children.length > shown.length)
             handles.lastChild.remove();
         shown.forEach((thing, i) => {
-            const each = handles.children[i], { across, down, ahead } = view.view ? seen(view.view, thing.at) : { ahead: 0 }, at = things.filter(({ kind }) => kind === thing.kind).indexOf(thing);
+            const each = handles.children[i], at = things.filter(({ kind }) => kind === thing.kind).indexOf(thing);
+            const { across, down, ahead } = view.view ? seen(view.view, thing.at) : { ahead: 0 };
             each.thing = thing;
             each.dataset.kind = thing.kind;
             each.hidden = !(ahead > 0);
