@@ -28,7 +28,7 @@ fate = asked < 0 ? -1 : 0
 hit_t = 0
 stats $circles index 0 using (is_asked($1) && $4 < 1e8 ? (fate = int($6), hit_t = $9, 1) : 0) nooutput
 mathless(s) = math("t")." = ".two(s)
-first_line = asked < 0 ? (answered && best_ball >= 0 ? "the closest hit colours the pixel" : "of all answers the smallest ".math("t")." > 0") : \
+first_line = asked < 0 ? (answered && best_ball >= 0 ? "the closest hit colors the pixel" : "of all answers the smallest ".math("t")." > 0") : \
     "sphere ".ball_name(asked).": ".(!answered ? "where does the ray meet it?" : fate == 0 ? "the ray misses it" : \
     fate == 1 ? math("t")." < 0, it is behind the eye" : "hit at ".mathless(hit_t))
 second_line = (asked < 0 && answered ? "closest hit: " : "closest so far: ").(best_ball < 0 ? "none" : \

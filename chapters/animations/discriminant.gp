@@ -1,6 +1,6 @@
 # discriminant.gp - one ray moves across the sphere: the five cases of b² − 4ac and of the roots' signs.
 #
-# As in the figure discriminant, also in its colours: below the section, above it f over the same places.
+# As in the figure discriminant, also in its colors: below the section, above it f over the same places.
 steps = moments
 rate = 16
 array names[5] = ["miss", "tangent", "two hits", "inside", "behind"]

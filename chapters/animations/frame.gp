@@ -29,7 +29,7 @@ two(x) = (x < -0.005 ? "−" : "").sprintf("%.2f", abs(x))
 # A number in a row of a block: $name[k + 1] is row k, after the comment in its first line.
 cell(row, column) = real(word(row, column))
 whole(row, column) = int(cell(row, column))
-# Around what is outlined in a picture: seen on every colour, '@halo' below '@thick'.
+# Around what is outlined in a picture: seen on every color, '@halo' below '@thick'.
 halo = "lines lw 5 lc rgb background"
 # Two halves of a frame: the scene, and the picture that is being made.
 scene_room = "0.035 0.65 0.17 0.95"

@@ -4,8 +4,8 @@ rate = 8
 stops = ""
 do for [k=1:sets] { if (k % columns == 0) { stops = stops." ".k } }
 title = "Image order, pixel by pixel"
-description = sprintf("For each of %s pixels a ray goes from the eye through its centre, up to the closest hit, and the pixel \
-gets the colour of that sphere, or of the background.", grid_text)
+description = sprintf("For each of %s pixels a ray goes from the eye through its center, up to the closest hit, and the pixel \
+gets the color of that sphere, or of the background.", grid_text)
 now = int(most(1, least(step, steps)))
 at = $pixel_sets[now + 1]
 column = whole(at, 1)

@@ -3,7 +3,7 @@ steps = |$moments| - 1
 rate = 8
 title = "Object order, sphere by sphere"
 description = sprintf("For each of %d spheres, lines go from its outline to the eye. The places where they cross the image plane \
-are its outline in the picture. Of the pixels inside, it colours those that show no nearer sphere.", all_balls)
+are its outline in the picture. Of the pixels inside, it colors those that show no nearer sphere.", all_balls)
 # A lecturer stops where a sphere has its outline, and where it has its pixels.
 stops = ""
 do for [k=2:steps] {
@@ -20,7 +20,7 @@ outlined = whole(at, 3)
 done = whole(at, 4)
 share = ball_now < 0 ? "" : $shares[ball_now + 2]
 set_by = done == 0 || ball_now < 0 ? 0 : (sum [k=1:done] (word($pixel_sets[k + 1], 3) eq sprintf("%d", ball_now)))
-said = ball_now < 0 ? (done ? "all pixels get the colour of the background" : "for each sphere: which pixels does it colour?") : \
+said = ball_now < 0 ? (done ? "all pixels get the color of the background" : "for each sphere: which pixels does it color?") : \
     !outlined ? sprintf("sphere %s: lines to the eye", ball_name(ball_now)) : \
     set_by == 0 && whole(share, 2) > 0 ? sprintf("sphere %s: its outline on the image plane", ball_name(ball_now)) : \
     set_by < whole(share, 2) ? sprintf("sphere %s: %d pixel%s", ball_name(ball_now), set_by, set_by == 1 ? "" : "s") : \

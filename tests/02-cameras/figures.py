@@ -118,7 +118,7 @@ for title in ("camera-forms", "look-at"):
     holds_for_every(checks, "02-cameras", title)
 dice = random.Random(2)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
-    camera, canvas = some_camera(dice, 10 ** dice.uniform(-3, 3)), SHAPES[i % 2]
+    camera, canvas = some_camera(dice, 10 ** dice.uniform(-6, 6)), SHAPES[i % 2]
     camera_forms(camera, options_of(camera), canvas)
     look_at(camera, options_of(camera), canvas)
     camera, options, up = looking(dice)

@@ -91,7 +91,7 @@ def pixel_grid(size, pixel, options):
     checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
     checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
     digits = place_digits(across, down)
-    checks.shows(figure, f"pixel {shown_vector((column, row))}", f"centre {shown_vector((x, y))}", f"s = ({column} + ½)/{across}",
+    checks.shows(figure, f"pixel {shown_vector((column, row))}", f"center {shown_vector((x, y))}", f"s = ({column} + ½)/{across}",
                  f"t = 1 − ({row} + ½)/{down}", f"= {shown(s, digits)}", f"= {shown(t, digits)}")
     if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
         left, bottom = panel(0, -down)

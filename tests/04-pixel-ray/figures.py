@@ -82,12 +82,12 @@ def pixel_to_ray(c, size, pixel, options):
     unit_square(figure, s, t)
     world(figure, c, s, t)
     labels, digits = [text for text, _, _ in figure.labels()], place_digits(across, down)
-    for text in (f"pixel {shown_vector(pixel)}", f"centre {shown_vector((column + 0.5, row + 0.5))}", f"s = x/{across} = {shown(s, digits)}",
+    for text in (f"pixel {shown_vector(pixel)}", f"center {shown_vector((column + 0.5, row + 0.5))}", f"s = x/{across} = {shown(s, digits)}",
                  f"t = 1 − y/{down} = {shown(t, digits)}", "pixel", "screen", "(s, t)", "p", "v", "p + t v"):
         checks.that(f"the label {text!r}", text in labels, str(labels))
     if c is DECK:  # a number that is 0 except for rounding has other digits on other machines
         vector = shown_vector(toward(c, s, t))
-        for text in ("v = d f + (s − ½) w r", "+ (t − ½) h u", f"= {vector}", "ray p + t v from (2, 2, −4)"):
+        for text in ("v = d f + (s − ½) w r", "+ (t − ½) h u", f"= {vector}", "ray p + t v from", "(2, 2, −4)"):
             checks.that(f"the vector's and the ray's label {text!r}", text in labels, str(labels))
         words = figure.in_words()[1]
         for text in (shown_vector((column + 0.5, row + 0.5)), shown_vector((s, t), digits), vector):
@@ -102,7 +102,7 @@ for i in range(int(os.environ.get("CAMERAS", "5"))):
     most = (12, 4000)[i % 2]
     resolution = dice.randint(1, most), dice.randint(1, most)
     somewhere = dice.randrange(resolution[0]), dice.randrange(resolution[1])
-    camera = some_camera(dice, 10 ** dice.uniform(-3, 3))
+    camera = some_camera(dice, 10 ** dice.uniform(-6, 6))
     pixel_to_ray(camera, resolution, somewhere, [
         "--size", "%dx%d" % resolution, "--pixel", "%d,%d" % somewhere, *options_of(camera)])
 checks.end()

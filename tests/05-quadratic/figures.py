@@ -354,7 +354,7 @@ for _ in range(int(os.environ.get("SCENES", "5"))):
     world_object(meeting)
     geometric_roots(meeting)
     discriminant(meeting.r)
-    meeting = some_meeting(dice, 10 ** dice.uniform(-2, 2))
+    meeting = some_meeting(dice, 10 ** dice.uniform(-6, 6))
     for title in ("ray-sphere", "parabola", "world-object", "geometric-roots"):
         labels_are_clear(checks, P, title, meeting.options())
     labels_are_clear(checks, P, "discriminant", [f"--radius={meeting.r:.17g}"])

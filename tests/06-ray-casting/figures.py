@@ -327,7 +327,7 @@ def image_order(scene, pixel, options=None):
     cells(figure, world, nearer, cast(world))
     centers = [figure.place(plus(world.eye, world.pixel(column, row), nearer))
                for row in range(world.rows) for column in range(world.columns)]
-    checks.near("the centres of the pixels", figure.dots("centres"), centers)
+    checks.near("the centres of the pixels", figure.dots("centers"), centers)
     outline = rectangle(figure, world, nearer, pixel)
     checks.near("the pixel", figure.lines("outline of the pixel")[0], outline + outline[:1])
     checks.near("the hit", figure.dots("closest hit"), [figure.place(plus(world.eye, v, t)) for t, _ in hits[:1]])
@@ -335,7 +335,7 @@ def image_order(scene, pixel, options=None):
         end = figure.block("miss")[-1][:3]
         checks.that("the ray that misses misses", not world.hits(plus(tuple(end), world.eye, -1)))
     checks.that("the pixel centres are counted", any(
-        re.fullmatch(f"{len(cast(world))} pixel centres? hit", text) for text, _, _ in figure.labels()))
+        re.fullmatch(f"{len(cast(world))} pixel centers? hit", text) for text, _, _ in figure.labels()))
 
 
 def object_order(scene, pixel, options=None):
@@ -498,7 +498,7 @@ def explain_figure(scene, pixel, options=None):
     nearest = f"smallest t: {number_shown(hits[0][0])}, {chr(ord('A') + hits[0][1])}" if hits else "no hit: background"
     checks.that("and which hit is the closest", nearest in lines, f"{nearest!r}, not in {lines}")
     bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
-    checks.that("the colour is in the words", f"colour {bytes_text}" in lines, str(lines))
+    checks.that("the colour is in the words", f"color {bytes_text}" in lines, str(lines))
     checks.that("the colour", figure.text("bytes_text") == bytes_text, figure.text("bytes_text"))
 
 

@@ -316,7 +316,7 @@ static void yours_and_right(Plot *plot, void *given)
         yours = image_plane_vector(c, 0.3 + 0.5, 0.1 + 0.5);
     plane_data(plot, c, 8, 8);
     plot_text(plot, "asked", "across_30_up_10");
-    plot_text(plot, "why", example ? "Is (0, 0) the corner or the centre?" : "");
+    plot_text(plot, "why", example ? "Is (0, 0) the corner or the center?" : "");
     beside_vectors(plot, c.origin, right, c.origin, yours);
     beside_words(plot, (BesideWords){vec3_shown(right).s, vec3_shown(yours).s,
                                      beside_off(c, yours - right).s, "dashed"});
@@ -341,8 +341,8 @@ static void yours_and_right(Plot *plot, void *given)
         {"right: {answer}", "blue", .step = 1},
         {is_wrong ? "yours: {your_answer}" : "yours: {yours}", "ink", .step = 2},
         {"{off_vector}", "grey", .step = 3},
-        {steps != NULL ? "{off_steps}" : "Is (0, 0) the corner or the centre?", "grey", .step = 3},
-        {"Is (0, 0) the corner or the centre?", "grey", .step = 3},
+        {steps != NULL ? "{off_steps}" : "Is (0, 0) the corner or the center?", "grey", .step = 3},
+        {"Is (0, 0) the corner or the center?", "grey", .step = 3},
     };
     plot_say(plot, 0, 1, words, is_wrong ? 2 : 3 + (steps != NULL) + example);
 }

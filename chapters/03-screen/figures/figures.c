@@ -208,7 +208,7 @@ static void pixel_grid(Plot *plot, void *given)
     plot_pair(plot, "pixel", "column", pixel.column, "row", pixel.row);
     plot_pair(plot, "center", "x", center.x, "y", center.y);
     plot_pair_to(plot, "place", "s", place.s, "t", place.t, place_digits(screen));
-    plot_block(plot, "sample", "x y of the centre, s t of the same");
+    plot_block(plot, "sample", "x y of the center, s t of the same");
     plot_row(plot, 4, (const double[]){center.x, center.y, place.s, place.t});
     plot_block_end(plot);
     plot_number(plot, "whole", whole);

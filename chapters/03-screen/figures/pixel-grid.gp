@@ -1,10 +1,10 @@
-# pixel-grid.gp - a pixel is a square, and its centre stands for it (slide 'Normalized screen
+# pixel-grid.gp - a pixel is a square, and its center stands for it (slide 'Normalized screen
 # coordinates'). Of a large screen, only the part around the pixel is shown.
-title = "A pixel is a square, and its centre stands for it"
+title = "A pixel is a square, and its center stands for it"
 s_is = sprintf("(%s + ½)/%s", pixel_column_text, screen_W_text)
 t_is = sprintf("1 − (%s + ½)/%s", pixel_row_text, screen_H_text)
 description = sprintf("%s %s by %s pixels. Columns count from the left, rows from the top. The pixel in column %s, \
-row %s is a square, and its centre, the point %s, stands for it. Normalized, the centre is s = %s = %s and \
+row %s is a square, and its center, the point %s, stands for it. Normalized, the center is s = %s = %s and \
 t = %s = %s. s goes from 0 at the left edge to 1 at the right edge, t from 0 at the bottom to 1 at the top.", \
     whole ? "A screen of" : "A part of a screen of", screen_W_text, screen_H_text, pixel_column_text, pixel_row_text, \
     center_text, s_is, place_s_text, t_is, place_t_text)
@@ -32,7 +32,7 @@ words_y(row, row_below) = narrow ? 118 - 34 * row_below : 420 - 36 * row
 set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text, screen_H_text) \
     at words_x(0),words_y(0, 0) tc rgb grey
 if (step >= 2) { set label 2 "pixel ".pixel_text at words_x(0),words_y(2, 1) tc rgb blue }
-if (step >= 3) { set label 3 "centre ".center_text at words_x(0),words_y(3, 2) tc rgb blue }
+if (step >= 3) { set label 3 "center ".center_text at words_x(0),words_y(3, 2) tc rgb blue }
 if (step >= 4) {
     set label 4 math("s")." = ".s_is at words_x(1),words_y(5, 0) tc rgb orange
     set label 5 "= ".place_s_text at words_x(1)+20,words_y(6, 1) tc rgb orange
@@ -41,7 +41,7 @@ if (step >= 5) {
     set label 6 math("t")." = ".t_is at words_x(1),words_y(8, 2) tc rgb green
     set label 7 "= ".place_t_text at words_x(1)+20,words_y(9, 3) tc rgb green
 }
-your_center = your("center_text") eq "" ? "" : sprintf("centre %s, ", your("center_text"))
+your_center = your("center_text") eq "" ? "" : sprintf("center %s, ", your("center_text"))
 if (wrong) { set label 8 "yours: ".(narrow ? "" : your_center.math("(s, t)")." = ").your("place_text") at (narrow ? words_x(0) : 40),16 tc rgb ink }
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \

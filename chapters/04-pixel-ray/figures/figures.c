@@ -96,7 +96,7 @@ static void yours(Plot *plot, ScreenPoint center, Text place, vec3 vector, vec3 
     const struct {
         const char *name, *words;
         Text value;
-    } links[] = {{"center", "centre", pair_shown(center.x, center.y)},
+    } links[] = {{"center", "center", pair_shown(center.x, center.y)},
                  {"place", "(s, t) =", place},
                  {"v", "v =", vec3_shown(vector)},
                  {"origin", "p =", vec3_shown(origin)}};
@@ -146,7 +146,7 @@ static void pixel_to_ray(Plot *plot, void *given)
     chain(plot, aim, center, place);
     static const Label pixel[] = {
         {"pixel {pixel}", "ink", .step = 1},
-        {"centre {center}", "ink", .step = 2},
+        {"center {center}", "ink", .step = 2},
         {"$s = x/${screen_W} = {place_s}", "orange", .step = 3},
         {"$t = 1 − y/${screen_H} = {place_t}", "green", .step = 3},
     };
@@ -154,10 +154,11 @@ static void pixel_to_ray(Plot *plot, void *given)
         {"$v = d f + (s − ½) w r$", "blue", .step = 4},
         {"$+ (t − ½) h u$", "blue", .step = 4},
         {"= {vector}", "blue", .step = 4},
-        {"ray $p + t v$ from {origin}", "blue", .step = 5},
+        {"ray $p + t v$ from", "blue", .step = 5},
+        {"{origin}", "blue", .step = 5},
     };
     plot_say(plot, 0.82, 1, pixel, 4);
-    plot_say(plot, 1, 0, sum, 4);
+    plot_say(plot, 1, 0, sum, 5);
     yours(plot, center, pair_shown_to(place.s, place.t, digits), vector, ray.origin);
     pixel_handle(plot, aim, vector);
     camera_handles(plot, c);

@@ -156,7 +156,7 @@ static vec3 section_point(const Section *section, double t)
 static void circle(Plot *plot, const Section *s)
 {
     plot_undrawn(plot); // for labels, a circle of fewer corners does
-    plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the centre");
+    plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the center");
     for (int i = 0; i <= CIRCLE; i++) {
         double angle = 2 * PI * i / CIRCLE;
         plot_row_point(plot, s->sphere.center +
@@ -304,7 +304,7 @@ static void section_handles(Plot *plot, const Section *s, bool turns)
                                    .count = 3,
                                    .value = v,
                                    .along = {s->right, s->up}});
-    plot_handle(plot, (Handle){.words = "C, the centre of the sphere",
+    plot_handle(plot, (Handle){.words = "C, the center of the sphere",
                                .place = s->sphere.center,
                                .option = {"center"},
                                .count = 3,

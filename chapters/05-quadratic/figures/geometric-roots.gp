@@ -1,7 +1,7 @@
-# geometric-roots.gp - the same roots by geometry: closest approach, distance from the centre, half chord.
+# geometric-roots.gp - the same roots by geometry: closest approach, distance from the center, half chord.
 touches = roots == 2 && t0 == t1
 title = "The same roots by geometry"
-description = sprintf("The section through the ray and the centre C of the sphere, turned so that the ray goes to the right. L is the vector \
+description = sprintf("The section through the ray and the center C of the sphere, turned so that the ray goes to the right. L is the vector \
 from p to C: %s. Its part along v has the length s = %s and ends at M, the point of the line that is nearest to C. m = %s is the distance \
 from C to M, and r is %s", l_text, s_text, m_text, r_text).( \
     roots == 0 ? ": m is larger than r, so the line misses the sphere." : touches ? ": m = r, so the line touches the sphere." : \

@@ -1,7 +1,7 @@
 # ray-sphere.gp - where the line p + t v meets the circle (slide 'Intersecting a ray and a sphere').
 touches = roots == 2 && t0 == t1
 title = "A ray and a sphere"
-description = sprintf("The section through the ray and the centre of the sphere. p is %s, v is %s, the centre C is %s, \
+description = sprintf("The section through the ray and the center of the sphere. p is %s, v is %s, the center C is %s, \
 r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and b² − 4ac is %s: ", \
     origin_text, velocity_text, center_text, r_text, moved ? "; p − C is ".object_p_text : "", a_text, b_text, c_text, D_text).( \
     roots == 0 ? sprintf("no hit. The line is closest to C at t = %s, at a distance of %s.", t_nearest_text, away_text) : \

@@ -26,7 +26,7 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     @step2 $minus_c using @vector with @arrow lc rgb blue title "moved", \
     $v index wrong using @vector with @arrow lc rgb blue title "v", \
     for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
-    $center using @point with @dot lc rgb ink title "centre", \
+    $center using @point with @dot lc rgb ink title "center", \
     @step4 $world_hit1 index 0 using @point with @look1 lc rgb color(t1) title "t1", \
     @step4 $world_hit0 index 0 using @point with @look0 lc rgb color(t0) title "t0", \
     for [_=1:step >= 4 && differs("world_t0")] $world_hit0 index differs("world_t0") using @point with @square lc rgb ink title "your t0", \

@@ -6,11 +6,11 @@ plain(k) = sprintf("Sphere %s: a = %s, b = %s, c = %s, discriminant %s, %s. ", v
     "roots ".of("root_0", k)." and ".of("root_1", k).(value(sprintf("root_1_%d", k)) > 0 ? "" : ": behind the eye"))
 all_plain(k) = k > told ? "" : plain(k).all_plain(k + 1)
 title = "One pixel, explained"
-description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is v = %s. ", \
+description = sprintf("Pixel %s of %s has its center at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is v = %s. ", \
     pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, p_text, vector_v_text).all_plain(1). \
     (all_hits == 0 ? "The ray hits nothing, so the pixel shows the background. " : \
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
-    sprintf("The colour is %s. ", bytes_text).in_part(0).drawn_text
+    sprintf("The color is %s. ", bytes_text).in_part(0).drawn_text
 steps = 6
 @spheres
 # Visible on every sphere: in a white ring with a black rim.
@@ -24,7 +24,7 @@ plot @patches @behind \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @before \
     @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \
-    $crossing using @point with points pt 7 ps 0.3 lc rgb ink title "centre", \
+    $crossing using @point with points pt 7 ps 0.3 lc rgb ink title "center", \
     @step3 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
     @step5 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step2 @who $arrow index who using @vector with @arrow lc rgb blue dt dash(who) title "vector from the eye", \

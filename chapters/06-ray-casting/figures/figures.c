@@ -80,7 +80,7 @@ static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
     if (shown->hit_count > 0)
         snprintf(nearest, sizeof nearest, "smallest $t$: {nearest}, %s",
                  sphere_name(shown->hits[0].sphere).s);
-    const Label color[] = {{nearest, "blue", .step = 5}, {"colour {bytes}", "ink", .step = 6}};
+    const Label color[] = {{nearest, "blue", .step = 5}, {"color {bytes}", "ink", .step = 6}};
     plot_say(plot, 0, 0, ray, 3);
     plot_say(plot, 1, 0, color, 2);
     if (outcome->told_count > 0)
@@ -161,7 +161,7 @@ static int ray_casting_data(Plot *plot, const Shown *shown)
 static void counted(Plot *plot, int step, int cells, const char *what)
 {
     char text[200];
-    snprintf(text, sizeof text, "%d pixel centre%s%s", cells, cells == 1 ? "" : "s", what);
+    snprintf(text, sizeof text, "%d pixel center%s%s", cells, cells == 1 ? "" : "s", what);
     plot_say(plot, 0.5, 0, &(Label){text, "ink", .step = step}, 1);
 }
 

@@ -1,8 +1,8 @@
 # image-order.gp - for each pixel its ray, and the sphere that it hits (slide 'Image order').
-title = "Image order: for each pixel, find the object that colours it"
-description = sprintf("A ray goes from the eye through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
+title = "Image order: for each pixel, find the object that colors it"
+description = sprintf("A ray goes from the eye through the center of pixel %s of %s and %s. ", pixel_text, size_text, \
     all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
-    (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centres of %d of the \
+    (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centers of %d of the \
 %s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres
@@ -16,7 +16,7 @@ plot @patches @behind \
     @step3 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
     $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
-    $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
+    $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centers", \
     @before \
     @step2 @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \
     @step2 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \

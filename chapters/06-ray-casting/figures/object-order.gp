@@ -1,8 +1,8 @@
-# object-order.gp - for one object, the pixels that it colours (slide 'Object order').
-title = "Object order: for each object, find the pixels that it colours"
+# object-order.gp - for one object, the pixels that it colors (slide 'Object order').
+title = "Object order: for each object, find the pixels that it colors"
 description = (!eye_inside ? sprintf("Lines go from the outline of sphere %s to the eye. The places where they cross the image plane \
-are its outline in the picture. Of the pixels that are drawn, the sphere colours those with centres inside: %d of %s. ", \
-    object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, because the eye is in it. It colours %d of the \
+are its outline in the picture. Of the pixels that are drawn, the sphere colors those with centers inside: %d of %s. ", \
+    object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, because the eye is in it. It colors %d of the \
 %s pixels that are drawn. ", object_name, cells, grid_text)).drawn_text
 steps = 4
 @spheres
@@ -15,7 +15,7 @@ plot @behind \
         title "your pixels", \
     $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
-    @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
+    @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centers", \
     @before \
     @step2 $lines using @point with @hidden lc rgb blue title "lines to the eye, all of them", \
     @step2 $lines using @bold with @ray lc rgb blue title "lines to the eye", \

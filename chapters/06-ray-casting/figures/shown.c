@@ -398,7 +398,7 @@ static void centers(Plot *plot, const Shown *shown)
 {
     Resolution grid = shown->grid;
     plot_undrawn(plot); // the lines around the pixels are
-    plot_block(plot, "centers", "x y z of the pixels' centres");
+    plot_block(plot, "centers", "x y z of the pixels' centers");
     for (int i = 0; i < grid.width * grid.height; i++) {
         Pixel cell = {i % grid.width, i / grid.width};
         Ray ray = ray_to_plane(pixel_ray(shown->shot.camera, grid, cell), shown->camera);
@@ -465,7 +465,7 @@ static void pixel_handle(Plot *plot, const Shown *shown)
 Handle shown_sphere(const Shown *shown, vec3 across, vec3 up)
 {
     vec3 center = shown->shot.scene->spheres[0].center;
-    return (Handle){.words = "the centre of sphere A",
+    return (Handle){.words = "the center of sphere A",
                     .place = center,
                     .option = {"center"},
                     .count = 3,

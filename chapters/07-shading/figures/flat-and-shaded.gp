@@ -2,7 +2,7 @@
 #
 # If something is wrong, the two pictures are the right one, shaded, and yours.
 title = "Flat, and shaded"
-description = sprintf("The same %s spheres twice. Left, flat: each has one colour. Right, shaded: bright where the \
+description = sprintf("The same %s spheres twice. Left, flat: each has one color. Right, shaded: bright where the \
 surface faces the light.", spheres_text).(has_highlight ? " A highlight is where the surface mirrors the light into the eye." : ""). \
     (has_shadow ? sprintf(" In the shadow of a sphere there is only ambient light, %s of white.", ambient_text) : "")
 if (wrong) {
@@ -21,7 +21,7 @@ cast = 2
 in_panel = 'cast_file(panel) binary filetype=png origin=(U(panel,0.5),V(panel,0.5)) dx=size[panel] dy=size[panel] with rgbimage'
 if (framed) in_panel = '$square using (U(panel,columns*$1)):(V(panel,rows*$2)) with lines lc rgb ink'
 
-# Words above the picture, and lines to what they name: white in black, visible on any colour. The one
+# Words above the picture, and lines to what they name: white in black, visible on any color. The one
 # to the highlight ends a little before it.
 above = 21
 at_x(left) = left ? 0.24 : 0.875
@@ -48,7 +48,7 @@ more_2 = below(2, 1)
 
 plot for [panel=1:1] @in_panel title cast_title(1, "flat"), \
     $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
-    $once using @more_1:(wrong ? "" : "one colour each") with labels tc rgb grey title "flat, in words", \
+    $once using @more_1:(wrong ? "" : "one color each") with labels tc rgb grey title "flat, in words", \
     for [_=2:step:1000] for [panel=2:2] @in_panel title cast_title(2, "shaded"), \
     @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
     @step2 $once using @more_2:(wrong ? "" : "with light and shadow") with labels tc rgb grey title "shaded, in words", \

@@ -2,7 +2,7 @@
 title = "Two rays from one point"
 description = "Three spheres, an eye and a light. The eye's ray meets a sphere at a point with the normal n. ".(visibility > 0 ? \
     "The shadow ray from there reaches the light: visibility 1. " : "The shadow ray from there meets another sphere before the light: no light arrives, visibility 0. ").\
-    (mirrored_t < 1e300 ? "The mirrored ray leaves on the other side of n and meets another sphere, whose colour the mirror shows." : \
+    (mirrored_t < 1e300 ? "The mirrored ray leaves on the other side of n and meets another sphere, whose color the mirror shows." : \
     "The mirrored ray leaves on the other side of n and meets no sphere: the mirror shows the background.")
 steps = 3
 

@@ -93,7 +93,7 @@ static void edge(Plot *plot, const View *view, const char *name, double x, Edge 
 
 static void handles(Plot *plot, const View *view)
 {
-    plot_handle(plot, (Handle){.words = "C, the centre of the sphere",
+    plot_handle(plot, (Handle){.words = "C, the center of the sphere",
                                .place = center_of(view),
                                .option = {"center"},
                                .count = 3,
