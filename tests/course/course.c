@@ -397,7 +397,6 @@ static int debug(const Course *course, const char *program)
                            "--args", program,
                            stem,     "--test",
                            test,     NULL};
-    setenv("CK_FORK", "no", 1);
     execvp("gdb", (char *const *)words);
     perror("gdb");
     return 1;

@@ -41,12 +41,10 @@ static const char *state_of(const char *function, const Record *record)
 
 static void put_calls(FILE *out, int exercise)
 {
-    char names[4000] = "";
-    size_t length = 0;
+    char names[MOST_NAMES] = "";
     for (int other = 0; exercises[other].name != NULL; other++)
-        if (other != exercise && call_has_entered(exercise, other) && length < sizeof names)
-            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
-                                       length > 0 ? " " : "", exercises[other].name);
+        if (other != exercise && call_has_entered(exercise, other))
+            names_add(names, sizeof names, exercises[other].name);
     entry_put(out, "calls", names);
 }
 
@@ -92,45 +90,7 @@ static void report_function(FILE *out, const char *function, const Outcome *fail
     put_calls(out, exercise_number(function));
 }
 
-// After it, if it has extra tests: of those.
-static void report_extra(FILE *out, const Outcome *failed)
-{
-    entry_put(out, "extra", failed == NULL ? "right" : "wrong");
-}
-
 static Outcomes outcomes;
-
-// The tests of one function: the graded ones, or the extra ones.
-typedef struct {
-    const char *function;
-    bool extra;
-    const Outcome *failed; // the first that did not pass; NULL if all did
-} Group;
-
-// All groups in the order of the contract, which is also that of the student's file: the first that
-// is wrong is shown first. Extra tests of a function follow its graded ones.
-static int groups_in_order(Group *groups)
-{
-    int count = 0, numbers[MOST_TESTS];
-    for (int i = 0; i < outcomes.count; i++)
-        numbers[i] = exercise_number(outcomes.tests[i].function);
-    for (int number = 0; exercises[number].name != NULL; number++) {
-        for (int extra = 0; extra < 2; extra++) {
-            Group group = {NULL, extra, NULL};
-            for (int i = 0; i < outcomes.count; i++) {
-                const Outcome *test = &outcomes.tests[i];
-                if (numbers[i] != number || test->extra != group.extra)
-                    continue;
-                group.function = test->function;
-                if (group.failed == NULL && !test->passed)
-                    group.failed = test;
-            }
-            if (group.function != NULL)
-                groups[count++] = group;
-        }
-    }
-    return count;
-}
 
 static FILE *create(const char *folder, const char *name)
 {
@@ -154,38 +114,40 @@ static void finish(FILE *file)
     }
 }
 
-// A figure of an older answer does not belong to this one.
-static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
+// The first failed test of a function, or NULL. A figure of an older answer does not belong to it.
+static void settle(FILE *report, const char *figures, const char *function, const Outcome *failed)
 {
-    if (figures == NULL)
-        return;
-    figure_forget(figures, group->function);
-    if (group->failed != NULL)
-        figure_write(figures, group->failed->record,
-                     answer_of((int)(group->failed - outcomes.tests)), diagnosis);
+    Diagnosis diagnosis = {0};
+    if (failed != NULL && failed->record->missing[0] == '\0' && failed->record->how[0] == '\0')
+        diagnosis = diagnose(exercise_number(function), failed->record->hidden);
+    if (figures != NULL)
+        figure_forget(figures, function);
+    if (figures != NULL && failed != NULL)
+        figure_write(figures, failed->record, answer_of((int)(failed - outcomes.tests)), diagnosis);
+    report_function(report, function, failed, diagnosis);
 }
 
+// In the order of the contract, which is also that of the student's file: the first that is wrong
+// is shown first. Extra tests of a function follow its graded ones.
 static int verdict(const char *folder, const char *figures)
 {
     FILE *report = create(folder, "report");
     bool all_right = true;
-    Group groups[MOST_TESTS];
-    int count = groups_in_order(groups);
-    for (int i = 0; i < count; i++) {
-        Group group = groups[i];
-        Diagnosis diagnosis = {0};
-        if (group.extra) {
-            report_extra(report, group.failed);
-            continue;
+    for (const Exercise *it = exercises; it->name != NULL; it++) {
+        bool has[2] = {false, false}; // graded tests, and extra ones
+        const Outcome *failed[2] = {NULL, NULL};
+        for (int i = outcomes.count - 1; i >= 0; i--) {
+            const Outcome *test = &outcomes.tests[i];
+            if (strcmp(test->function, it->name) != 0)
+                continue;
+            has[test->extra] = true;
+            failed[test->extra] = test->passed ? failed[test->extra] : test;
         }
-        if (group.failed != NULL) {
-            const Record *record = group.failed->record;
-            if (record->missing[0] == '\0' && record->how[0] == '\0')
-                diagnosis = diagnose(exercise_number(group.function), record->hidden);
-        }
-        draw(figures, &group, diagnosis);
-        report_function(report, group.function, group.failed, diagnosis);
-        all_right = all_right && group.failed == NULL;
+        if (has[false])
+            settle(report, figures, it->name, failed[false]);
+        if (has[true])
+            entry_put(report, "extra", failed[true] == NULL ? "right" : "wrong");
+        all_right = all_right && failed[false] == NULL;
     }
     finish(report);
     return all_right ? 0 : 1;

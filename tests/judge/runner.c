@@ -64,15 +64,6 @@ const Record *records_find(const Records *records, const char *name)
     return NULL;
 }
 
-static void record_is_of(int test, const char *name, const char *function, bool extra, bool probe)
-{
-    Record *it = &shared->records[test];
-    it->name = name;
-    it->extra = extra;
-    it->probe = probe;
-    snprintf(it->function, sizeof it->function, "%s", function);
-}
-
 void records_catch_printed(int file)
 {
     printed_file = file;
@@ -158,40 +149,6 @@ static void record_teardown(void)
 
 // ---- running them ------------------------------------------------------------------------------
 
-typedef struct {
-    const char *function_wanted, *name_wanted; // NULL: all
-    Outcomes *outcomes;
-} Listing;
-static Listing listing;
-
-static TCase *case_of(Suite *suite, const char *function)
-{
-    TCase *tcase = tcase_create(function);
-    tcase_add_checked_fixture(tcase, record_setup, record_teardown);
-    suite_add_tcase(suite, tcase);
-    return tcase;
-}
-
-static void list_test(TCase *tcase, const ListedTest *test)
-{
-    // Check's own choice of functions: the others are not on the list, or they would not have been
-    // run.
-    const char *chosen = getenv("CK_RUN_CASE");
-    if (listing.function_wanted != NULL && strcmp(test->function, listing.function_wanted) != 0)
-        return;
-    if (chosen != NULL && strcmp(test->function, chosen) != 0)
-        return;
-    if (listing.name_wanted != NULL && strcmp(test->test->name, listing.name_wanted) != 0)
-        return;
-    if (listing.outcomes->count == MOST_TESTS) {
-        fprintf(stderr, "more than %d tests in one list\n", MOST_TESTS);
-        exit(1);
-    }
-    listing.outcomes->tests[listing.outcomes->count++] =
-        (Outcome){.name = test->test->name, .function = test->function, .extra = test->extra};
-    tcase_add_test(tcase, test->test);
-}
-
 // Compilers write the tests of a file in an order of their own.
 void add_test(const char *file, bool is_probe, ListedTest *test)
 {
@@ -203,23 +160,25 @@ void add_test(const char *file, bool is_probe, ListedTest *test)
     *at = test;
 }
 
-static bool are_together(const ListedTest *one, const ListedTest *two)
+// Of one function, of one name, or (NULL) all.
+static void list_wanted(Suite *suite, const ListedTest *test, const char *function,
+                        const char *name, Outcomes *outcomes)
 {
-    return one->extra == two->extra && strcmp(one->function, two->function) == 0;
-}
-
-static void list_in_order(Suite *suite, const ListedTest *first)
-{
-    for (const ListedTest *it = first; it != NULL; it = it->next) {
-        const ListedTest *before = first;
-        while (!are_together(before, it))
-            before = before->next;
-        if (before != it)
+    outcomes->count = 0;
+    for (; test != NULL; test = test->next) {
+        if ((function != NULL && strcmp(test->function, function) != 0) ||
+            (name != NULL && strcmp(test->test->name, name) != 0))
             continue;
-        TCase *tcase = case_of(suite, it->function);
-        for (; before != NULL; before = before->next)
-            if (are_together(before, it))
-                list_test(tcase, before);
+        if (outcomes->count == MOST_TESTS) {
+            fprintf(stderr, "more than %d tests in one list\n", MOST_TESTS);
+            exit(1);
+        }
+        outcomes->tests[outcomes->count++] =
+            (Outcome){.name = test->test->name, .function = test->function, .extra = test->extra};
+        TCase *tcase = tcase_create(test->function);
+        tcase_add_checked_fixture(tcase, record_setup, record_teardown);
+        tcase_add_test(tcase, test->test);
+        suite_add_tcase(suite, tcase);
     }
 }
 
@@ -269,28 +228,28 @@ static void keep_files_in_memory(void)
         setenv("TEMP", "/dev/shm", 0);
 }
 
-static void run(bool probes, WhereAnswersAre where)
+static void run(bool probes, const char *function, const char *name, WhereAnswersAre where,
+                Outcomes *outcomes)
 {
-    Outcomes *outcomes = listing.outcomes;
     const Stem *stem = chosen_stem();
     random_take_seed();
-    if (where == ANSWERS_APART) {
-        unsetenv("CK_RUN_CASE"); // a verdict is about all of them
-        unsetenv("CK_RUN_SUITE");
+    unsetenv("CK_RUN_CASE"); // of those that are listed all run
+    unsetenv("CK_RUN_SUITE");
+    if (where == ANSWERS_APART)
         keep_files_in_memory();
-    }
-    outcomes->count = 0;
     Suite *suite = suite_create("tests");
     SRunner *runner = srunner_create(suite);
-    list_in_order(suite, probes ? stem->probes : stem->tests);
+    list_wanted(suite, probes ? stem->probes : stem->tests, function, name, outcomes);
     if (probes && outcomes->count == 0) {
         srunner_free(runner);
         return;
     }
     records_begin(outcomes->count);
     for (int i = 0; i < outcomes->count; i++)
-        record_is_of(i, outcomes->tests[i].name, outcomes->tests[i].function,
-                     outcomes->tests[i].extra, probes);
+        shared->records[i] = (Record){.name = outcomes->tests[i].name,
+                                      .function = outcomes->tests[i].function,
+                                      .extra = outcomes->tests[i].extra,
+                                      .probe = probes};
     if (where == ANSWERS_APART)
         srunner_set_fork_status(runner, CK_NOFORK);
     fflush(NULL); // forks must not print it again
@@ -317,14 +276,12 @@ static void run(bool probes, WhereAnswersAre where)
 
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
 {
-    listing = (Listing){function, name, outcomes};
-    run(false, where);
+    run(false, function, name, where, outcomes);
 }
 
 void run_probes(const char *function, const char *name, Outcomes *outcomes)
 {
-    listing = (Listing){function, name, outcomes};
-    run(true, ANSWERS_APART);
+    run(true, function, name, ANSWERS_APART, outcomes);
 }
 
 void show_outcome(const Outcome *outcome)

@@ -13,16 +13,16 @@
 typedef enum { HOW_ANSWERED, HOW_CRASHED, HOW_TIMED_OUT } How;
 
 typedef struct {
-    int cases;           // how many began
-    bool closed;         // the current case has met its expectation
-    bool finished;       // the test came to its end
-    bool extra;          // it costs no marks
-    bool probe;          // nothing is expected: it only helps to distinguish mistakes
-    bool hidden;         // it used random numbers of a SEED, which must not be shown
-    const char *name;    // of the test
-    char function[64];   // the exercise that it tests
-    char given[2400];    // lines: name, tab, value
-    char expected[1200]; // of the expectation that failed; empty if none did
+    int cases;            // how many began
+    bool closed;          // the current case has met its expectation
+    bool finished;        // the test came to its end
+    bool extra;           // it costs no marks
+    bool probe;           // nothing is expected: it only helps to distinguish mistakes
+    bool hidden;          // it used random numbers of a SEED, which must not be shown
+    const char *name;     // of the test
+    const char *function; // the exercise that it tests
+    char given[2400];     // lines: name, tab, value
+    char expected[1200];  // of the expectation that failed; empty if none did
     char yours[1200];
     char missing[64]; // the first blank that was called; empty if none was
     How ended;

@@ -773,7 +773,7 @@ static Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool c
 // shown.
 static struct {
     char words[400];
-    char function[64];
+    const char *function;
     int call, number; // the call, and the number of the case
     int calls;        // so far
     bool hidden;
@@ -853,7 +853,7 @@ void law_broken(const char *format, ...)
     laws[test].number = number;
     laws[test].call = laws[test].calls;
     laws[test].hidden = record_now()->hidden;
-    snprintf(laws[test].function, sizeof laws[test].function, "%s", record_now()->function);
+    laws[test].function = record_now()->function;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(laws[test].words, sizeof laws[test].words, format, arguments);

@@ -19,8 +19,8 @@
 
 #include <check.h>
 
-// A test of an exercise adds itself to the tests of its stem; those of a function run one after the
-// other, in the order of the file. An extra test costs no marks, a probe is none (suspects.h).
+// A test of an exercise adds itself to the tests of its stem, which run in the order of the file.
+// An extra test costs no marks, a probe is none (suspects.h).
 //
 //     TEST(upper_left, the_upper_left_corner_of_the_example)
 //     {

@@ -5,7 +5,6 @@
 //   PROGRAM [STEM] --test NAME        one
 //
 // STEM is needed if the program has the tests of several.
-// CK_RUN_CASE=FUNCTION does what --only does.
 #include "tests/judge/known.h"
 #include "tests/judge/runner.h"
 
