@@ -39,7 +39,7 @@ typedef struct {
 } EvidenceCall;
 
 enum { MOST_MISTAKES = 100 };
-typedef struct {
+static struct {
     int exercise, mistake_count, call_count;
     const Mistake *mistakes[MOST_MISTAKES];
     int nth[MOST_MISTAKES];        // among all mistakes of the exercise
@@ -48,16 +48,21 @@ typedef struct {
     // Each call is repeated. Then extra tests do not count, nor do the mistakes that only they can
     // distinguish from right.
     bool is_close;
-} Evidence;
+} evidence;
+
+static const EvidenceCall *end_of_calls(void)
+{
+    return evidence.calls + evidence.call_count;
+}
 
 // ---- evidence ----------------------------------------------------------------------------------
 
 enum { MOST_KEPT = 40 }; // numbers of a result: any but a picture
 
 // A ray whose direction may have any length (exercises/04-pixel-ray.h).
-static bool length_is_free(int exercise)
+static bool length_is_free(void)
 {
-    return strcmp(exercises[exercise].name, "pixel_ray") == 0;
+    return strcmp(exercises[evidence.exercise].name, "pixel_ray") == 0;
 }
 
 // As long as the reference's, if the contract of offset_from_surface allows its length. The step is
@@ -86,11 +91,11 @@ static void settle_step(const Numbers *arguments, Numbers *numbers)
 
 // Differences that the contract allows do not count: a direction is normalised if its length is
 // free, and so is a step off a surface.
-static void settle_freedom(int exercise, const Numbers *arguments, Numbers *numbers)
+static void settle_freedom(const Numbers *arguments, Numbers *numbers)
 {
-    if (layout_is_step(&exercises[exercise]) && numbers->count == 3)
+    if (layout_is_step(&exercises[evidence.exercise]) && numbers->count == 3)
         settle_step(arguments, numbers);
-    if (!length_is_free(exercise) || numbers->count != 6)
+    if (!length_is_free() || numbers->count != 6)
         return;
     double *d = numbers->at + 3, length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     for (int i = 0; i < 3 && length > 0 && isfinite(length); i++)
@@ -108,56 +113,53 @@ static bool steps_agree(const Numbers *arguments, const Numbers *a, const Number
 }
 
 // The image in a curved mirror depends a little on the length of the step off it.
-static double tolerance_of(int exercise)
+static double rounding(void)
 {
-    return strcmp(exercises[exercise].name, "trace_ray") == 0 ? 3e-9 : 1e-9;
+    return strcmp(exercises[evidence.exercise].name, "trace_ray") == 0 ? 3e-9 : 1e-9;
 }
 
 // Whether two results agree within rounding. Of a step off a surface the step is compared, of
 // refusals for one of several reasons (numbers.h) one reason must be the same.
-static bool results_agree(int exercise, const Numbers *arguments, const Numbers *a,
-                          const Numbers *b)
+static bool results_agree(const Numbers *arguments, const Numbers *a, const Numbers *b)
 {
-    bool have_reason = has_reasons(exercise) && (reasons_in(a) & reasons_in(b)) != 0;
-    if (layout_is_step(&exercises[exercise]) && a->count == 3 && b->count == 3)
+    bool have_reason = has_reasons(evidence.exercise) && (reasons_in(a) & reasons_in(b)) != 0;
+    if (layout_is_step(&exercises[evidence.exercise]) && a->count == 3 && b->count == 3)
         return steps_agree(arguments, a, b);
     bool same = a->count == b->count;
     for (int i = have_reason ? 1 : 0; same && i < a->count; i++)
-        same = same_within(a->at[i], b->at[i], tolerance_of(exercise));
+        same = same_within(a->at[i], b->at[i], rounding());
     return same;
 }
 
 // Whether a call says nothing against the mistake: the answer agrees with it, or both are right,
 // each as it uses the freedom of the contract. All three are settled.
-static bool may_be_mistake(int exercise, const Numbers *arguments, const Numbers *yours,
-                           const Numbers *theirs, const Numbers *right)
+static bool may_be_mistake(const Numbers *arguments, const Numbers *yours, const Numbers *theirs,
+                           const Numbers *right)
 {
-    return results_agree(exercise, arguments, yours, theirs) ||
-           (results_agree(exercise, arguments, yours, right) &&
-            results_agree(exercise, arguments, theirs, right));
+    return results_agree(arguments, yours, theirs) ||
+           (results_agree(arguments, yours, right) && results_agree(arguments, theirs, right));
 }
 
-static Numbers settled(int exercise, const Numbers *arguments, const Numbers *numbers)
+static Numbers settled(const Numbers *arguments, const Numbers *numbers)
 {
     Numbers copy = numbers_copy(numbers);
-    settle_freedom(exercise, arguments, &copy);
+    settle_freedom(arguments, &copy);
     return copy;
 }
 
 // One of several reasons: the other's, if it is among them.
-static void settle_reason(int exercise, Numbers *numbers, const Numbers *other)
+static void settle_reason(Numbers *numbers, const Numbers *other)
 {
     int reasons = reasons_in(numbers), both = reasons & reasons_in(other);
     int among = both != 0 ? both : reasons;
-    if (has_reasons(exercise) && among != 0)
+    if (has_reasons(evidence.exercise) && among != 0)
         set_reasons(numbers, among & -among);
 }
 
-static bool is_same_as_before(const Evidence *evidence, const EvidenceCall *call)
+static bool is_same_as_before(const EvidenceCall *call)
 {
     bool common = false;
-    for (int i = 0; i < evidence->call_count; i++) {
-        EvidenceCall *other = &evidence->calls[i];
+    for (EvidenceCall *other = evidence.calls; other < end_of_calls(); other++) {
         if (other == call || !numbers_same(&other->yours, &call->yours) ||
             numbers_same(&other->arguments, &call->arguments))
             continue;
@@ -172,17 +174,17 @@ static void forget_if_long(Numbers *numbers)
         numbers_free(numbers);
 }
 
-static Numbers called_again(const Evidence *evidence, const Numbers *arguments, int paint)
+static Numbers called_again(const Numbers *arguments, int paint)
 {
     paint_calls(paint);
-    Numbers numbers = settled(evidence->exercise, arguments, ask_again(evidence->exercise));
+    Numbers numbers = settled(arguments, ask_again(evidence.exercise));
     paint_calls(PAINT);
     return numbers;
 }
 
-static bool is_repeated(const Evidence *evidence, const EvidenceCall *call, int paint)
+static bool is_repeated(const EvidenceCall *call, int paint)
 {
-    Numbers again = called_again(evidence, &call->arguments, paint);
+    Numbers again = called_again(&call->arguments, paint);
     bool same = numbers_same(&again, &call->yours);
     numbers_free(&again);
     return same;
@@ -194,62 +196,61 @@ static bool is_of_digits(const Mistake *mistake)
     return strncmp(mistake->id, "X-", 2) == 0;
 }
 
-static void repeat(const Evidence *evidence, EvidenceCall *call)
+static void repeat(EvidenceCall *call)
 {
-    call->is_common = is_same_as_before(evidence, call);
-    call->again = called_again(evidence, &call->arguments, OTHER_PAINT);
-    bool is_same_if_0 = is_repeated(evidence, call, EMPTY_STACK);
+    call->is_common = is_same_as_before(call);
+    call->again = called_again(&call->arguments, OTHER_PAINT);
+    bool is_same_if_0 = is_repeated(call, EMPTY_STACK);
     call->changes = !numbers_same(&call->again, &call->yours) || !is_same_if_0;
-    call->repeats = is_repeated(evidence, call, PAINT);
-    call->is_padded = !is_repeated(evidence, call, PAINT | EMPTY_PADDING) ||
-                      (!is_same_if_0 && is_repeated(evidence, call, EMPTY_STACK | EMPTY_PADDING));
+    call->repeats = is_repeated(call, PAINT);
+    call->is_padded = !is_repeated(call, PAINT | EMPTY_PADDING) ||
+                      (!is_same_if_0 && is_repeated(call, EMPTY_STACK | EMPTY_PADDING));
 }
 
-static void evidence_hear(Evidence *evidence, const Numbers *given, const Numbers *yours)
+static void evidence_hear(const Numbers *given, const Numbers *yours)
 {
-    int exercise = evidence->exercise;
-    evidence->calls =
-        realloc(evidence->calls, (size_t)(evidence->call_count + 1) * sizeof *evidence->calls);
-    Theirs *theirs = calloc((size_t)evidence->mistake_count + 1, sizeof *theirs);
-    if (evidence->calls == NULL || theirs == NULL)
+    int exercise = evidence.exercise;
+    evidence.calls =
+        realloc(evidence.calls, (size_t)(evidence.call_count + 1) * sizeof *evidence.calls);
+    Theirs *theirs = calloc((size_t)evidence.mistake_count + 1, sizeof *theirs);
+    if (evidence.calls == NULL || theirs == NULL)
         abort();
-    EvidenceCall *call = &evidence->calls[evidence->call_count++];
-    Numbers right = settled(exercise, given, known_result(exercise, -1));
+    EvidenceCall *call = &evidence.calls[evidence.call_count++];
+    Numbers right = settled(given, known_result(exercise, -1));
     *call = (EvidenceCall){.test = record_number(),
                            .name = record_now()->name,
                            .extra = record_now()->extra,
                            .probe = record_now()->probe,
                            .arguments = numbers_copy(given),
-                           .yours = settled(exercise, given, yours),
+                           .yours = settled(given, yours),
                            .right = numbers_copy(&right),
                            .theirs = theirs};
-    call->is_right = results_agree(exercise, given, &call->yours, &right);
-    settle_reason(exercise, &call->right, &call->yours);
-    for (int i = 0; i < evidence->mistake_count; i++) {
+    call->is_right = results_agree(given, &call->yours, &right);
+    settle_reason(&call->right, &call->yours);
+    for (int i = 0; i < evidence.mistake_count; i++) {
         Numbers *numbers = &theirs[i].numbers;
-        if (evidence->ruled_out[i] && !evidence->is_close)
+        if (evidence.ruled_out[i] && !evidence.is_close)
             continue;
-        *numbers = settled(exercise, given, known_result(exercise, evidence->nth[i]));
-        theirs[i].is_yours = may_be_mistake(exercise, given, &call->yours, numbers, &right);
-        theirs[i].is_right = results_agree(exercise, given, numbers, &right);
-        settle_reason(exercise, numbers, &call->right);
-        settle_reason(exercise, numbers, &call->yours);
+        *numbers = settled(given, known_result(exercise, evidence.nth[i]));
+        theirs[i].is_yours = may_be_mistake(given, &call->yours, numbers, &right);
+        theirs[i].is_right = results_agree(given, numbers, &right);
+        settle_reason(numbers, &call->right);
+        settle_reason(numbers, &call->yours);
         forget_if_long(numbers);
         // On the extreme inputs of extra tests every way to arrange a formula has its own digits.
-        if (!theirs[i].is_yours && (!call->extra || is_of_digits(evidence->mistakes[i])))
-            evidence->ruled_out[i] = true;
+        if (!theirs[i].is_yours && (!call->extra || is_of_digits(evidence.mistakes[i])))
+            evidence.ruled_out[i] = true;
     }
     numbers_free(&right);
-    if (evidence->is_close)
-        repeat(evidence, call);
+    if (evidence.is_close)
+        repeat(call);
 }
 
 // frees its contents
-static void evidence_end(Evidence *evidence)
+static void evidence_end(void)
 {
-    for (int i = 0; i < evidence->call_count; i++) {
-        EvidenceCall *call = &evidence->calls[i];
-        for (int k = 0; k < evidence->mistake_count; k++)
+    for (EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
+        for (int k = 0; k < evidence.mistake_count; k++)
             numbers_free(&call->theirs[k].numbers);
         free(call->theirs);
         numbers_free(&call->arguments);
@@ -257,17 +258,17 @@ static void evidence_end(Evidence *evidence)
         numbers_free(&call->right);
         numbers_free(&call->again);
     }
-    free(evidence->calls);
-    *evidence = (Evidence){0};
+    free(evidence.calls);
+    memset(&evidence, 0, sizeof evidence);
 }
 
 enum { ENOUGH = 3 }; // general inputs that support a mistake
 
 // Excluded: on a call where the mistake is wrong, the answer is right.
-static bool is_contradicted(const Evidence *evidence, int mistake)
+static bool is_contradicted(int mistake)
 {
-    for (int i = 0; i < evidence->call_count; i++)
-        if (evidence->calls[i].is_right && !evidence->calls[i].theirs[mistake].is_right)
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (call->is_right && !call->theirs[mistake].is_right)
             return true;
     return false;
 }
@@ -291,10 +292,9 @@ static bool speaks_for(const EvidenceCall *call, int mistake)
            call->theirs[mistake].is_yours;
 }
 
-static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int count,
-                                   const bool *possible)
+static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, const bool *possible)
 {
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < evidence.mistake_count; i++)
         if (i != mistake && possible[i] && call->theirs[i].is_yours)
             return false;
     return true;
@@ -315,11 +315,10 @@ static bool is_like(const EvidenceCall *call, int mistake)
 // none it has something quite different: an answer that computes a term in a wrong way has none of
 // it on many inputs, but did not leave it out. And these inputs are most of those on which the
 // answer is wrong.
-static bool is_usual(const Evidence *evidence, int mistake)
+static bool is_usual(int mistake)
 {
     int same = 0, shows = 0, wrong = 0;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         if (!call->probe)
             continue;
         wrong += !call->is_right;
@@ -334,26 +333,26 @@ static bool is_usual(const Evidence *evidence, int mistake)
 }
 
 // The only mistake that any input supports.
-static Diagnosis in_part(const Evidence *evidence, int shown)
+static Diagnosis in_part(int shown)
 {
-    int count = evidence->mistake_count, found = -1, others = 0;
+    int found = -1, others = 0;
     bool possible[MOST_MISTAKES];
-    for (int i = 0; i < count; i++)
-        possible[i] = !is_contradicted(evidence, i);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < evidence.mistake_count; i++)
+        possible[i] = !is_contradicted(i);
+    for (int i = 0; i < evidence.mistake_count; i++) {
         int speaking = 0;
-        for (int k = 0; possible[i] && k < evidence->call_count; k++)
-            speaking += speaks_for(&evidence->calls[k], i) &&
-                        speaks_for_nobody_else(&evidence->calls[k], i, count, possible);
+        for (const EvidenceCall *call = evidence.calls; possible[i] && call < end_of_calls();
+             call++)
+            speaking += speaks_for(call, i) && speaks_for_nobody_else(call, i, possible);
         if (speaking >= ENOUGH && found < 0)
             found = i;
         else
             others += speaking > 0;
     }
-    if (found < 0 || others > 0 || !is_usual(evidence, found) ||
-        (shown >= 0 && !evidence->calls[shown].theirs[found].is_yours))
+    if (found < 0 || others > 0 || !is_usual(found) ||
+        (shown >= 0 && !evidence.calls[shown].theirs[found].is_yours))
         return (Diagnosis){0};
-    return (Diagnosis){.mistake = evidence->mistakes[found], .in_part = true};
+    return (Diagnosis){.mistake = evidence.mistakes[found], .in_part = true};
 }
 
 // ---- two mistakes ------------------------------------------------------------------------------
@@ -424,11 +423,10 @@ static bool is_needed(const EvidenceCall *call, int mistake, int other)
 
 // The number of general inputs on which the other mistake alone does not give the answer, but this
 // one does: all of them, and those on which the agreement cannot be by chance.
-static void count_needed(const Evidence *evidence, int mistake, int other, int *all, int *telling)
+static void count_needed(int mistake, int other, int *all, int *telling)
 {
     *all = *telling = 0;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         if (!call->probe || !is_needed(call, mistake, other))
             continue;
         ++*all;
@@ -436,34 +434,34 @@ static void count_needed(const Evidence *evidence, int mistake, int other, int *
     }
 }
 
-static bool are_both(const Evidence *evidence, int one, int other)
+static bool are_both(int one, int other)
 {
     int first, second, first_telling, second_telling;
-    for (int i = 0; i < evidence->call_count; i++)
-        if (!may_be_both(&evidence->calls[i], one, other))
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (!may_be_both(call, one, other))
             return false;
-    count_needed(evidence, one, other, &first, &first_telling);
-    count_needed(evidence, other, one, &second, &second_telling);
+    count_needed(one, other, &first, &first_telling);
+    count_needed(other, one, &second, &second_telling);
     return first >= ENOUGH && second >= ENOUGH &&
            (first_telling >= ENOUGH || second_telling >= ENOUGH);
 }
 
 // The only two that together explain every call; none if another pair does. For pictures too little
 // is kept to decide, and steps off a surface are too small to be added up.
-static Diagnosis two_at_once(const Evidence *evidence)
+static Diagnosis two_at_once(void)
 {
     Diagnosis it = {0};
-    const Exercise *exercise = &exercises[evidence->exercise];
+    const Exercise *exercise = &exercises[evidence.exercise];
     if (strncmp(exercise->results, "Pixels", 6) == 0 || layout_is_step(exercise))
         return it;
-    for (int i = 0; i < evidence->mistake_count; i++)
-        for (int k = i + 1; k < evidence->mistake_count; k++) {
-            if (!are_both(evidence, i, k))
+    for (int i = 0; i < evidence.mistake_count; i++)
+        for (int k = i + 1; k < evidence.mistake_count; k++) {
+            if (!are_both(i, k))
                 continue;
             if (it.mistake != NULL)
                 return (Diagnosis){0};
             it = (Diagnosis){
-                .mistake = evidence->mistakes[i], .other = evidence->mistakes[k], .also = true};
+                .mistake = evidence.mistakes[i], .other = evidence.mistakes[k], .also = true};
         }
     return it;
 }
@@ -472,11 +470,10 @@ static Diagnosis two_at_once(const Evidence *evidence)
 
 // The positions of the numbers in a result that were never written: the stack's old contents were
 // returned.
-static bool is_unset(const Evidence *evidence, int place)
+static bool is_unset(int place)
 {
     int unset = 0;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         unset += place < call->yours.count && place < call->again.count &&
                  is_paint(call->yours.at[place], PAINT) &&
                  is_paint(call->again.at[place], OTHER_PAINT);
@@ -486,11 +483,10 @@ static bool is_unset(const Evidence *evidence, int place)
 
 // The camera that a function had to store in *camera, if part of the old one is still there: in all
 // calls that returned a camera.
-static bool is_left_as_it_was(const Evidence *evidence, int place)
+static bool is_left_as_it_was(int place)
 {
     int left = 0;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         if (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK)
             continue;
         double before = call->arguments.at[call->arguments.count - call->yours.count + place];
@@ -501,18 +497,18 @@ static bool is_left_as_it_was(const Evidence *evidence, int place)
     return left >= ENOUGH;
 }
 
-typedef bool IsSo(const Evidence *evidence, int place);
+typedef bool IsSo(int place);
 
 // The fields of a result for which that is true, in words; "" if there are none.
-static const char *fields_that(const Evidence *evidence, IsSo *is_so)
+static const char *fields_that(IsSo *is_so)
 {
     static char words[200];
     const char *last = NULL;
     const char *names[MOST_PLACES];
-    int count = layout_names(exercises[evidence->exercise].results, names);
+    int count = layout_names(exercises[evidence.exercise].results, names);
     words[0] = '\0';
     for (int i = 0; i < count; i++) {
-        if (!is_so(evidence, i) || (last != NULL && strcmp(names[i], last) == 0))
+        if (!is_so(i) || (last != NULL && strcmp(names[i], last) == 0))
             continue;
         size_t used = strlen(words);
         snprintf(words + used, sizeof words - used, "%s%s", used > 0 ? ", " : "",
@@ -527,32 +523,26 @@ static const char *one_or_several(const char *fields, const char *one, const cha
     return strchr(fields, ',') != NULL ? several : one;
 }
 
-static const char *what_was_not_set(const Evidence *evidence)
+static const char *what_was_not_set(void)
 {
     static char words[400];
-    const char *results = exercises[evidence->exercise].results;
-    const char *unset = fields_that(evidence, is_unset);
-    if (unset[0] != '\0') {
-        snprintf(words, sizeof words,
-                 "%s %s never set: your function uses what happened to be in memory", unset,
-                 one_or_several(unset, "was", "were"));
-        return words;
-    }
-    if (strcmp(results, "CameraFault Camera") != 0)
-        return NULL;
-    unset = fields_that(evidence, is_left_as_it_was);
+    const char *unset = fields_that(is_unset);
+    bool is_left = unset[0] == '\0' && has_reasons(evidence.exercise);
+    if (is_left)
+        unset = fields_that(is_left_as_it_was);
     if (unset[0] == '\0')
         return NULL;
-    snprintf(words, sizeof words, "%s of *camera %s never set: still as before the call", unset,
-             one_or_several(unset, "was", "were"));
+    snprintf(words, sizeof words, "%s%s %s never set: %s", unset, is_left ? " of *camera" : "",
+             one_or_several(unset, "was", "were"),
+             is_left ? "still as before the call"
+                     : "your function uses what happened to be in memory");
     return words;
 }
 
 // A result that depends on the fourth lane of a vec3. Other padding of an argument has no name.
-static const char *what_uses_padding(const Evidence *evidence)
+static const char *what_uses_padding(void)
 {
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         if (call->repeats && call->is_padded)
             return "your function uses v[3] of a vec3, which is not part of the vector "
                    "(common/vec3.h): a loop over its components ends after v[2]";
@@ -561,16 +551,15 @@ static const char *what_uses_padding(const Evidence *evidence)
 }
 
 // All numbers of the field that a place belongs to, in every call that returned a result.
-static bool is_always_0(const Evidence *evidence, int place)
+static bool is_always_0(int place)
 {
-    const char *results = exercises[evidence->exercise].results;
     const char *names[MOST_PLACES];
-    int differs = 0, count = layout_names(results, names);
+    int differs = 0, count = layout_names(exercises[evidence.exercise].results, names);
     for (int i = 0; i < count; i++)
-        for (int k = 0; k < evidence->call_count && strcmp(names[i], names[place]) == 0; k++) {
-            const EvidenceCall *call = &evidence->calls[k];
-            bool is_camera = strncmp(results, "CameraFault", 11) == 0;
-            if (is_camera && (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK))
+        for (const EvidenceCall *call = evidence.calls;
+             call < end_of_calls() && strcmp(names[i], names[place]) == 0; call++) {
+            if (has_reasons(evidence.exercise) &&
+                (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK))
                 continue;
             if (i >= call->yours.count || i >= call->right.count || call->yours.at[i] != 0)
                 return false;
@@ -579,10 +568,10 @@ static bool is_always_0(const Evidence *evidence, int place)
     return names[place][0] != '\0' && differs >= ENOUGH;
 }
 
-static const char *what_is_0(const Evidence *evidence)
+static const char *what_is_0(void)
 {
     static char words[400];
-    const char *fields = fields_that(evidence, is_always_0);
+    const char *fields = fields_that(is_always_0);
     if (fields[0] == '\0')
         return NULL;
     snprintf(words, sizeof words, "%s %s 0 in every call: does your function set %s?", fields,
@@ -590,14 +579,14 @@ static const char *what_is_0(const Evidence *evidence)
     return words;
 }
 
-static const char *what_changes(const Evidence *evidence, bool changed_since)
+static const char *what_changes(bool changed_since)
 {
-    for (int i = 0; i < evidence->call_count; i++)
-        if (evidence->calls[i].changes && evidence->calls[i].repeats)
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (call->changes && call->repeats)
             return "your function uses a variable that was never set, and so what happened to be "
                    "in memory";
-    for (int i = 0; i < evidence->call_count; i++)
-        if (changed_since || evidence->calls[i].changes)
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (changed_since || call->changes)
             return "your function gives another result when it is called again with the same "
                    "arguments: it keeps a value between calls (in a static or global variable?), "
                    "uses a variable that was never set, or reads past the end of an array";
@@ -608,73 +597,71 @@ static const char *what_changes(const Evidence *evidence, bool changed_since)
 
 enum { MANY = 8 }; // calls
 
-static bool is_always_the_same(const Evidence *evidence)
+static bool is_always_the_same(void)
 {
-    for (int i = 1; i < evidence->call_count; i++)
-        if (!numbers_same(&evidence->calls[0].yours, &evidence->calls[i].yours))
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (!numbers_same(&evidence.calls[0].yours, &call->yours))
             return false;
-    return evidence->call_count >= MANY;
+    return evidence.call_count >= MANY;
 }
 
 // Whether all numbers of the result are those of the arguments that start there.
-static bool is_argument(const Evidence *evidence, int from)
+static bool is_argument(int from)
 {
-    for (int i = 0; i < evidence->call_count; i++) {
-        const Numbers *arguments = &evidence->calls[i].arguments,
-                      *yours = &evidence->calls[i].yours;
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
+        const Numbers *arguments = &call->arguments, *yours = &call->yours;
         const Numbers part = {.count = yours->count, .at = arguments->at + from};
         if (arguments->count < from + yours->count || !numbers_same(&part, yours))
             return false;
     }
-    return evidence->call_count >= MANY;
+    return evidence.call_count >= MANY;
 }
 
 // In every call the whole picture has the colour of its first pixel.
-static bool is_one_color(const Evidence *evidence, bool has_depth)
+static bool is_one_color(bool has_depth)
 {
-    for (int i = 0; i < evidence->call_count; i++) {
-        const Numbers *yours = &evidence->calls[i].yours;
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
+        const Numbers *yours = &call->yours;
         int bytes = has_depth ? yours->count / 4 * 3 : yours->count;
         for (int k = 3; k < bytes; k++)
             if (yours->at[k] != yours->at[k % 3])
                 return false;
     }
-    return evidence->call_count >= MANY;
+    return evidence.call_count >= MANY;
 }
 
 // Of a function that may refuse: the reason for which it did so in every call; CAMERA_OK: none.
-static CameraFault one_refusal(const Evidence *evidence)
+static CameraFault one_refusal(void)
 {
-    if (strncmp(exercises[evidence->exercise].results, "CameraFault", 11) != 0)
+    if (!has_reasons(evidence.exercise))
         return CAMERA_OK;
-    for (int i = 0; i < evidence->call_count; i++)
-        if (evidence->calls[i].yours.at[0] != evidence->calls[0].yours.at[0])
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (call->yours.at[0] != evidence.calls[0].yours.at[0])
             return CAMERA_OK;
-    return evidence->call_count > 0 ? (CameraFault)evidence->calls[0].yours.at[0] : CAMERA_OK;
+    return evidence.call_count > 0 ? (CameraFault)evidence.calls[0].yours.at[0] : CAMERA_OK;
 }
 
-static const char *what_is_trivial(const Evidence *evidence)
+static const char *what_is_trivial(void)
 {
     static char words[300];
-    const char *results = exercises[evidence->exercise].results;
+    const char *results = exercises[evidence.exercise].results;
     if (strncmp(results, "Pixels", 6) == 0)
-        return is_one_color(evidence, strcmp(results, "Pixels") != 0)
+        return is_one_color(strcmp(results, "Pixels") != 0)
                    ? "every pixel of your picture has the same colour, whatever is in the scene"
                    : NULL;
-    if (strncmp(results, "CameraFault", 11) == 0) {
-        CameraFault fault = one_refusal(evidence);
-        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || evidence->call_count < MANY)
+    if (has_reasons(evidence.exercise)) {
+        CameraFault fault = one_refusal();
+        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || evidence.call_count < MANY)
             return NULL;
         snprintf(words, sizeof words,
                  "your function refuses all arguments, always for the same reason: %s",
                  camera_fault_text(fault));
         return words;
     }
-    if (is_always_the_same(evidence))
+    if (is_always_the_same())
         return "your function returns the same result in every call, whatever its arguments are";
-    for (int from = 0; evidence->call_count > 0 && from < evidence->calls[0].arguments.count;
-         from++)
-        if (is_argument(evidence, from))
+    for (int from = 0; evidence.call_count > 0 && from < evidence.calls[0].arguments.count; from++)
+        if (is_argument(from))
             return "your function returns one of its arguments unchanged";
     return NULL;
 }
@@ -683,9 +670,9 @@ static const char *what_is_trivial(const Evidence *evidence)
 
 // Differs from the right result, but by so little that a float may be the reason: a step off a
 // surface is that small, so all of the point must be floats.
-static bool is_off_by_a_float(const Evidence *evidence, const EvidenceCall *call)
+static bool is_off_by_a_float(const EvidenceCall *call)
 {
-    bool is_step = layout_is_step(&exercises[evidence->exercise]);
+    bool is_step = layout_is_step(&exercises[evidence.exercise]);
     if (call->is_right || call->yours.count != call->right.count)
         return false;
     for (int i = 0; i < call->right.count; i++) {
@@ -709,12 +696,11 @@ static bool needs_a_double(const EvidenceCall *call)
 
 // Most of what is wrong is off by so little, and most results that no float holds are wrong: a
 // special case or a limit is wrong only here and there.
-static const char *what_is_a_float(const Evidence *evidence)
+static const char *what_is_a_float(void)
 {
     int wrong = 0, off = 0, shows = 0, shown = 0;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
-        bool is_off = is_off_by_a_float(evidence, call);
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
+        bool is_off = is_off_by_a_float(call);
         wrong += !call->is_right;
         off += is_off;
         shows += call->probe && needs_a_double(call);
@@ -728,19 +714,18 @@ static const char *what_is_a_float(const Evidence *evidence)
 
 // Some cameras are refused because of a comparison, and nothing else is wrong. NULL if there is
 // another reason.
-static const char *explain_refusals(const Evidence *evidence)
+static const char *explain_refusals(void)
 {
     int refused = 0, accepted = 0;
-    if (strcmp(exercises[evidence->exercise].results, "CameraFault Camera") != 0)
+    if (!has_reasons(evidence.exercise))
         return NULL;
-    for (int i = 0; i < evidence->call_count; i++) {
-        const EvidenceCall *call = &evidence->calls[i];
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
         double yours = call->yours.at[0];
         if (call->right.at[0] != CAMERA_OK && yours != CAMERA_OK)
             continue; // of several reasons any may be given
         if (yours == CAMERA_NO_RECTANGLE || yours == CAMERA_OFF_AXIS)
             refused++;
-        else if (call->is_right || is_off_by_a_float(evidence, call))
+        else if (call->is_right || is_off_by_a_float(call))
             accepted++;
         else
             return NULL;
@@ -755,18 +740,17 @@ static const char *explain_refusals(const Evidence *evidence)
 // These words contain no number of a test, so that they may also be shown for hidden tests.
 // shown: the call that the student is shown; -1 if there is none. changed_since: its answer is now
 // different from then.
-static Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool changed_since)
+static Diagnosis explain_by_evidence(int shown, bool changed_since)
 {
-    const char *said[] = {what_uses_padding(evidence), what_was_not_set(evidence),
-                          what_changes(evidence, changed_since), what_is_trivial(evidence),
-                          what_is_a_float(evidence)};
+    const char *said[] = {what_uses_padding(), what_was_not_set(), what_changes(changed_since),
+                          what_is_trivial(), what_is_a_float()};
     for (size_t i = 0; i < sizeof said / sizeof said[0]; i++)
         if (said[i] != NULL)
             return (Diagnosis){.law = said[i]};
-    Diagnosis named = two_at_once(evidence);
+    Diagnosis named = two_at_once();
     if (named.mistake == NULL)
-        named = in_part(evidence, shown);
-    return named.mistake != NULL ? named : (Diagnosis){.law = what_is_0(evidence)};
+        named = in_part(shown);
+    return named.mistake != NULL ? named : (Diagnosis){.law = what_is_0()};
 }
 
 // The first law that each test of the last run broke in its last call or case: the one that is
@@ -780,12 +764,11 @@ static struct {
 } laws[MOST_TESTS];
 
 static bool is_listening; // since suspects_begin
-static Evidence evidence;
 
 static void begin(int exercise, bool is_close)
 {
     int nth = 0;
-    evidence_end(&evidence);
+    evidence_end();
     memset(laws, 0, sizeof laws);
     is_listening = true;
     questions_of_mistakes();
@@ -815,7 +798,7 @@ void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours)
 {
     if (is_listening && exercise == evidence.exercise &&
         !(evidence.is_close && record_now()->extra))
-        evidence_hear(&evidence, arguments, yours);
+        evidence_hear(arguments, yours);
 }
 
 const Mistake *suspect(int nth, bool extra)
@@ -828,9 +811,9 @@ const Mistake *suspect(int nth, bool extra)
 
 const char *suspect_differs(void)
 {
-    for (int i = 0; i < evidence.call_count; i++)
-        if (!evidence.calls[i].extra && !evidence.calls[i].is_right)
-            return evidence.calls[i].name;
+    for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++)
+        if (!call->extra && !call->is_right)
+            return call->name;
     return NULL;
 }
 
@@ -984,13 +967,13 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
     if (crash == NULL)
         crash = where_it_crashed(NULL, &probes);
     records_end();
-    Diagnosis it = explain_by_evidence(&evidence, last_call, changed);
+    Diagnosis it = explain_by_evidence(last_call, changed);
     if (it.mistake == NULL && it.law == NULL && law[0] != '\0')
         it.law = law;
     if (it.mistake == NULL && it.law == NULL)
         it.law = crash;
     if (it.mistake == NULL && it.law == NULL)
-        it.law = explain_refusals(&evidence);
+        it.law = explain_refusals();
     return it;
 }
 
@@ -1003,7 +986,7 @@ Diagnosis diagnose(int exercise, bool hidden)
     bool heard = is_consistent(exercise, shown);
     // Many mistakes end in the same refusal, whatever the arguments: then none of them is named.
     // Nor is one of two that no test distinguishes, which the matrix rejects.
-    if (heard && one_refusal(&evidence) == CAMERA_OK && suspect(1, false) == NULL)
+    if (heard && one_refusal() == CAMERA_OK && suspect(1, false) == NULL)
         it.mistake = suspect(0, false);
     if (it.mistake == NULL)
         it = look_closer(exercise, shown, hidden);
