@@ -15,16 +15,10 @@ steps = 5
 short = "vectors head filled size 9,18,90 lw 1.8"
 frame_color(i) = i == 0 ? orange : i == 1 ? green : pink
 frame_name(i) = "ruf"[i + 1:i + 1]
-found1 = "for [panel=1:(step >= 5 ? 1 : 0)] for [who=0:wrong]"
-found2 = "for [panel=2:(step >= 5 ? 2 : 0)] for [who=0:wrong]"
-found3 = "for [panel=3:(step >= 5 ? 3 : 0)] for [who=0:wrong]"
-found4 = "for [panel=4:(step >= 5 ? 4 : 0)] for [who=0:wrong]"
+found = "for [panel=1:(step >= 5 ? 4 : 0)] for [who=0:wrong]"
 
 plot for [panel=1:(step < 4 ? step : 4)] $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    @found1 $found1 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
-    @found2 $found2 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
-    @found3 $found3 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
-    @found4 $found4 index who using @point with @thick lc rgb ink dt dash(who) title "found", \
+    @found "$found".panel index who using @point with @thick lc rgb ink dt dash(who) title "found", \
     $view index 0 using @vector with @segment lc rgb pink dt 3 title "view", \
     $at index 0 using @point with @dot lc rgb pink title "at", \
     $up_arrow index 0 using @vector with @arrow lc rgb green title "up", \
@@ -34,8 +28,5 @@ plot for [panel=1:(step < 4 ? step : 4)] $plane index 0 using @point with filled
     @step3 @panel3 $lower_left index 0 using @point with @dot lc rgb ink title "lower left", \
     @step4 @panel4 $vectors index 0 using @vector with @arrow lc rgb blue title "vectors", \
     for [panel=1:(step < 4 ? step : 4)] $eye using @point with @dot lc rgb blue title "eye", \
-    @found1 for [i=0:2] $frame1 index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
-    @found2 for [i=0:2] $frame2 index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
-    @found3 for [i=0:2] $frame3 index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
-    @found4 for [i=0:2] $frame4 index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
+    @found for [i=0:2] "$frame".panel index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
     @labels
