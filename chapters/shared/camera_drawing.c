@@ -60,12 +60,7 @@ void camera_handles(Plot *plot, Camera c)
 {
     enum { LONGEST = 1000 };
     const double least = 0.01;
-    plot_handle(plot, (Handle){.words = "the eye",
-                               .place = c.origin,
-                               .option = {"eye"},
-                               .count = 3,
-                               .value = c.origin,
-                               .along = {c.forward, c.up}});
+    plot_handle_point(plot, "the eye", "eye", c.origin, c.forward, c.up);
     plot_handle(plot, (Handle){.words = "the corner of the image plane: its width and height",
                                .place = c.origin + image_plane_vector(c, 1, 1),
                                .option = {"width", "height"},
@@ -74,12 +69,6 @@ void camera_handles(Plot *plot, Camera c)
                                .along = {c.right / 2, c.up / 2},
                                .least = {least, least},
                                .most = {LONGEST, LONGEST}});
-    plot_handle(plot, (Handle){.words = "the middle of the image plane: its distance",
-                               .place = c.origin + image_plane_vector(c, 0.5, 0.5),
-                               .option = {"distance"},
-                               .count = 1,
-                               .value = vec3_of(c.distance, 0, 0),
-                               .along = {c.forward},
-                               .least = {least},
-                               .most = {LONGEST}});
+    plot_handle_length(plot, "the middle of the image plane: its distance", "distance", c.distance,
+                       c.origin + image_plane_vector(c, 0.5, 0.5), c.forward);
 }

@@ -193,6 +193,13 @@ typedef struct {
 } Handle;
 void plot_handle(Plot *plot, Handle handle);
 
+// Of a point that is dragged in these two directions; of a length from 0.01 to 1000, along this
+// one.
+void plot_handle_point(Plot *plot, const char *words, const char *option, vec3 point, vec3 across,
+                       vec3 up);
+void plot_handle_length(Plot *plot, const char *words, const char *option, double length,
+                        vec3 place, vec3 along);
+
 // A number that cannot be dragged, but typed: how its option has it now.
 void plot_typed(Plot *plot, const char *words, const char *option, const char *value);
 

@@ -61,6 +61,20 @@ void plot_handle(Plot *plot, Handle handle)
         handles->handles[handles->count++] = (Placed){handle, plot_view_panel(plot)};
 }
 
+void plot_handle_point(Plot *plot, const char *words, const char *option, vec3 point, vec3 across,
+                       vec3 up)
+{
+    plot_handle(plot, (Handle){words, point, {option}, POINT, point, .along = {across, up}});
+}
+
+void plot_handle_length(Plot *plot, const char *words, const char *option, double length,
+                        vec3 place, vec3 along)
+{
+    vec3 value = vec3_of(length, 0, 0);
+    plot_handle(
+        plot, (Handle){words, place, {option}, 1, value, {along}, .least = {0.01}, .most = {1000}});
+}
+
 void plot_typed(Plot *plot, const char *words, const char *option, const char *value)
 {
     PlotHandles *handles = plot->handles;

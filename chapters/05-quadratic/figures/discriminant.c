@@ -172,17 +172,10 @@ static void columns(Plot *plot, const Panels *panels)
 // On the sphere of the middle panel, where no ray is.
 static void radius_handle(Plot *plot, const Panels *panels, double radius)
 {
-    enum { LARGEST = 1000 };
     const vec3 rim = vec3_of(sqrt(0.5), -sqrt(0.5), 0);
     plot_panel(plot, 3);
-    plot_handle(plot, (Handle){.words = "r, the radius of the sphere",
-                               .place = panels->radius * rim,
-                               .option = {"radius"},
-                               .count = 1,
-                               .value = vec3_of(radius, 0, 0),
-                               .along = {rim},
-                               .least = {0.01},
-                               .most = {LARGEST}});
+    plot_handle_length(plot, "r, the radius of the sphere", "radius", radius, panels->radius * rim,
+                       rim);
 }
 
 void discriminant_figure(Plot *plot, void *given)

@@ -288,15 +288,10 @@ static void section_marks(Plot *plot, const Section *s, int step, int count, con
 // dragged along it.
 static void section_handles(Plot *plot, const Section *s, bool turns)
 {
-    enum { LARGEST = 1000 };
     const vec3 none = {0}, v = s->ray.direction;
     if (s->near)
-        plot_handle(plot, (Handle){.words = "p, the origin of the ray",
-                                   .place = s->ray.origin,
-                                   .option = {"origin"},
-                                   .count = 3,
-                                   .value = s->ray.origin,
-                                   .along = {turns ? s->line : s->right, turns ? none : s->up}});
+        plot_handle_point(plot, "p, the origin of the ray", "origin", s->ray.origin,
+                          turns ? s->line : s->right, turns ? none : s->up);
     if (s->near && s->stride == 1 && !turns)
         plot_handle(plot, (Handle){.words = "v, the direction of the ray",
                                    .place = s->ray.origin + v,
@@ -304,21 +299,11 @@ static void section_handles(Plot *plot, const Section *s, bool turns)
                                    .count = 3,
                                    .value = v,
                                    .along = {s->right, s->up}});
-    plot_handle(plot, (Handle){.words = "C, the center of the sphere",
-                               .place = s->sphere.center,
-                               .option = {"center"},
-                               .count = 3,
-                               .value = s->sphere.center,
-                               .along = {s->right, s->up}});
+    plot_handle_point(plot, "C, the center of the sphere", "center", s->sphere.center, s->right,
+                      s->up);
     vec3 rim = (s->line - s->off) / sqrt(2);
-    plot_handle(plot, (Handle){.words = "r, the radius of the sphere",
-                               .place = s->sphere.center + s->sphere.radius * rim,
-                               .option = {"radius"},
-                               .count = 1,
-                               .value = vec3_of(s->sphere.radius, 0, 0),
-                               .along = {rim},
-                               .least = {0.01},
-                               .most = {LARGEST}});
+    plot_handle_length(plot, "r, the radius of the sphere", "radius", s->sphere.radius,
+                       s->sphere.center + s->sphere.radius * rim, rim);
 }
 
 // ---- ray-sphere --------------------------------------------------------------------------------

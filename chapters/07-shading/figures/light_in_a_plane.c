@@ -81,12 +81,7 @@ static void arrow(Plot *plot, const char *name, vec3 from, vec3 vector, Label la
 
 static void handle(Plot *plot, const char *words, const char *option, vec3 place)
 {
-    plot_handle(plot, (Handle){.words = words,
-                               .place = place,
-                               .option = {option},
-                               .count = 3,
-                               .value = place,
-                               .along = {vec3_of(1, 0, 0), vec3_of(0, 1, 0)}});
+    plot_handle_point(plot, words, option, place, vec3_of(1, 0, 0), vec3_of(0, 1, 0));
 }
 
 // ---- surface-vectors ---------------------------------------------------------------------------
