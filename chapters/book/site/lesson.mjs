@@ -82,21 +82,23 @@ function headings(markdown) {
     });
 }
 
-/** A command is for the toolkit in a terminal. The page says so, and names its own way to a verdict. */
-function terminal(commands) {
-    const judges = /^make exercises EX=\d\d\s*$/.test(commands);
-    return `<div class="terminal"><p>${judges ? 'Here: <a href="#exercise">the editor</a>, and <kbd>Ctrl</kbd> <kbd>Enter</kbd>. '
-        : ""}In a terminal:</p><pre tabindex="0"><code>${escape(commands)}</code></pre></div>\n`;
-}
+/**
+ * A lesson is also read beside the toolkit in a terminal. What is only for that is left out: commands, which are fences of
+ * sh, and what is between <!-- terminal --> and <!-- /terminal -->. <!-- page: WORDS --> are words for the page only.
+ */
+const forPage = (markdown) => markdown.replace(/ `make optional [^`]*`/g, "").replace(/\n*<!-- terminal -->\n?.*?<!-- \/terminal -->/gs, "").replace(/<!-- page: (.*?) -->/gs, "$1");
 
-function fences(markdown) {
+/** How a verdict is asked for, in the place of the command for it. */
+const JUDGES = '<p><a href="#exercise">Judge it</a>: press <kbd>Ctrl</kbd> <kbd>Enter</kbd>, or stop typing for a moment.</p>\n';
+
+function fences(markdown, isChapter) {
     markdown.renderer.rules.fence = (tokens, at) => {
         const { content, info } = tokens[at];
         const language = info.trim();
         if (language === "math")
             return `<div class="mathematics" tabindex="0">${typeset(content, true)}</div>\n`;
-        if (language === "sh")
-            return terminal(content);
+        if (language === "sh" && isChapter)
+            return /^make exercises EX=\d\d\s*$/.test(content) ? JUDGES : "";
         return `<pre tabindex="0"><code>${language === "c" ? colouredC(content) : escape(content)}</code></pre>\n`;
     };
 }
@@ -144,7 +146,7 @@ export function figure({ root, file, words, first, used }) {
  * @param {string} of.up from the page to the top of the site: "" or "../"
  */
 export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
-    const source = readFileSync(join(root, path), "utf8");
+    const source = readFileSync(join(root, path), "utf8"), isChapter = path.endsWith("/README.md") && path.startsWith("chapters/");
     const resolve = (link) => normalize(join(dirname(path), link));
     const use = (link) => {
         const file = resolve(link);
@@ -154,7 +156,7 @@ export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
         return up + file;
     };
 
-    const markdown = markdownIt({ html: true, typographer: false }).use(inlineMathematics).use(headings).use(fences);
+    const markdown = markdownIt({ html: true, typographer: false }).use(inlineMathematics).use(headings).use(fences, isChapter);
     const plainLink = (tokens, at, options, env, self) => self.renderToken(tokens, at, options);
     markdown.renderer.rules.link_open = (tokens, at, ...rest) => {
         const link = tokens[at].attrGet("href");
@@ -192,7 +194,7 @@ export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
         return `<img class="picture" alt="${words}" src="${use(tokens[at].attrGet("src"))}" width="${width}" height="${height}"${lazily()}>`;
     };
 
-    const html = toSpans(markdown.render(withMarks(source, marked)))
+    const text = withMarks(source, marked), html = toSpans(markdown.render(isChapter ? forPage(text) : text))
         .replace(/<p>(<figure .*?<\/figure>)<\/p>/gs, "$1")
         .replace(/<table>/g, '<div class="table" tabindex="0"><table>').replace(/<\/table>/g, "</table></div>")
         .replace(/<thead>\s*<tr>\s*(<th>\s*<\/th>\s*)+<\/tr>\s*<\/thead>/g, "")

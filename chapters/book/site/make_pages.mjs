@@ -130,7 +130,9 @@ function withOpening({ html, gives, time }) {
 // ---- a chapter ----------------------------------------------------------------------------------
 
 /** The exercise as it is at the beginning: a handout's student has changed the other file. */
-const blankOf = (stem) => [`build/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
+const fileOf = (stem) => [`build/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
+/** Without the words for a terminal. */
+const textOf = (path) => readFileSync(join(root, path), "utf8").replace(/^\/\/ (Questions and rules|After each change):.*\n/gm, "").replace(/ \(make [^)]*\)/g, "");
 
 // What the browser refuses to keep is downloaded from the page that has it (page/page.js).
 const unsaved = '<p class="note" id="unsaved" role="alert" hidden><span></span> <button type="button">Download submission.zip</button></p>';
@@ -145,9 +147,9 @@ function exercise(stem) {
 </div>
 </div>
 <div class="panel" role="tabpanel" id="panel-answer" aria-labelledby="tab-answer"><div id="editor"><pre tabindex="0"><code>${
-    colouredC(readFileSync(join(root, blankOf(stem)), "utf8"))}</code></pre></div></div>
+    colouredC(textOf(fileOf(stem)))}</code></pre></div></div>
 <div class="panel" role="tabpanel" id="panel-contract" aria-labelledby="tab-contract" hidden><pre tabindex="0"><code>${
-    colouredC(readFileSync(join(root, `exercises/${stem}.h`), "utf8"))}</code></pre></div>
+    colouredC(textOf(`exercises/${stem}.h`))}</code></pre></div>
 <div class="actions">
 <button type="button" class="main" id="judge">Judge <kbd id="judge-keys">Ctrl Enter</kbd></button>
 <button type="button" id="hint">Hint</button>

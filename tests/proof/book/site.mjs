@@ -76,6 +76,9 @@ const NAMES = { chromium: "chromium chromium-browser google-chrome", firefox: "f
 const program = process.env[browserName.toUpperCase()] ??
     execSync(`for name in ${NAMES[browserName]}; do command -v $name && break; done`, { encoding: "utf8" }).trim();
 
+/** What no page of a chapter says: commands, files and programs of a terminal. */
+export const FOR_A_TERMINAL = /\bmake ([a-z]+ )?(EX|TASK|ANSWERS|FIGURE)=|\bmake (exercises|hint|debug|watch|figures|optional)|gnuplot|\bbuild\/|README|\.(svg|png|gp|nff)\b|(^|\s)--[a-z]/;
+
 /** Milliseconds: for what hangs. A test waits for what happens, however busy the machine is. */
 const HANGS = Number(process.env.HANGS) || 900_000;
 const SILENT = 30_000; // after so many the page ends a Worker (worker_questions.js); in tests, after HANGS

@@ -13,6 +13,7 @@ import test from "node:test";
 import { partsOf } from "../../../chapters/book/judge.js";
 import { WholeCompilerNeeded } from "../../../chapters/book/tools.js";
 import { openSite } from "./in_node.mjs";
+import { FOR_A_TERMINAL } from "./site.mjs";
 
 const [site, root] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "verdicts-")), terminal = join(folder, "tree");
@@ -62,7 +63,6 @@ async function inPage(stem, sources, what, how = {}) {
 
 // ---- both ------------------------------------------------------------------------------------------------
 
-const FOR_A_TERMINAL = /\bmake [a-z]+ ?(EX|TASK|ANSWERS|FIGURE)?=|\bmake (exercises|hint|debug|watch|figures)|gnuplot|\bbuild\/|README|\.(svg|png|gp)\b/;
 // The compilers' own words differ.
 const told = (text) => text.replace(/ error: .*/, " error").replace(/^exercises\/.*: warning: .*\n(.+\n)*/gm, "");
 const compare = (stem, what, sources) => test(`${stem}, ${what}`, async () => {
@@ -70,7 +70,7 @@ const compare = (stem, what, sources) => test(`${stem}, ${what}`, async () => {
     assert.equal(theirs, ours);
     assert.ok(ours.length > 50, ours);
     // As parts for a page: the same words, without what belongs to a terminal.
-    const plain = (words) => words.replace(/[\s~]/g, "").toLowerCase(), said = plain(theirs);
+    const plain = (words) => words.replace(/[\s~]|[.:]$/g, "").toLowerCase(), said = plain(theirs);
     const parts = partsOf(await inPage(stem, { ...blanks, ...sources }, what, { web: true })).filter(({ kind }) => kind !== "compiler" && kind !== "printed");
     assert.deepEqual(parts.map(({ words }) => words).filter((words) => !said.includes(plain(words))), []);
     assert.ok(parts.some(({ words }) => words.length > 10), JSON.stringify(parts));

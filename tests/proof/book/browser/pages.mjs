@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
-import { begin, openTab, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
+import { begin, FOR_A_TERMINAL, openTab, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
 const { host, browser } = await begin(folder);
@@ -19,6 +19,8 @@ test("every page, light and dark, wide and narrow", async () => {
         await waitFor("the page's script", () => tab.$eval("#theme", (each) => each.title !== "" || document.documentElement.dataset.kind === "lecture"));
         if (await tab.$("#editor"))
             await waitForEditor(tab);
+        if (/^\d/.test(name))
+            assert.deepEqual((await tab.$eval("main", (each) => each.textContent)).split("\n").filter((line) => FOR_A_TERMINAL.test(line)), [], name);
         (await tab.$$eval("a[href]", (all) => all.map((each) => each.href))).forEach((link) => links.add(link));
         for (const [width, theme] of [[1280, "light"], [390, "dark"], [360, "dark"]]) {
             await tab.setViewport({ width, height: 844 });
