@@ -1,5 +1,5 @@
 // 08-fast.c - tests of exercise 08. Expected values: rectangles worked out by hand from right
-// triangles with whole sides, rectangles from angles, and points of the outline.
+// triangles with whole sides, and rectangles from angles.
 #include "exercises/08-fast.h"
 
 #include "tests/judge/test.h"

@@ -5,9 +5,9 @@
 // place; a handout has none, and does without the picture.
 #include "tests/course/course.h"
 
+#include "tests/explain/source.h"
 #include "tests/judge/exercise.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -39,14 +39,7 @@ enum { PICTURE_COUNT = sizeof pictures / sizeof pictures[0] };
 // Whether the picture is drawn by this exercise: it is a word of the expression for the colour.
 static bool needs_answer(const AnswerPicture *picture, const char *exercise)
 {
-    size_t length = strlen(exercise);
-    for (const char *at = picture->color; (at = strstr(at, exercise)) != NULL; at += length) {
-        char before = at > picture->color ? at[-1] : ' ', after = at[length];
-        if (!isalnum((unsigned char)before) && before != '_' && !isalnum((unsigned char)after) &&
-            after != '_')
-            return true;
-    }
-    return false;
+    return text_word(picture->color, exercise) != NULL;
 }
 
 // One that only waits for another is right by itself, if the reference has shown that.

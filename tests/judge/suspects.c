@@ -59,12 +59,6 @@ static const EvidenceCall *end_of_calls(void)
 
 enum { MOST_KEPT = 40 }; // numbers of a result: any but a picture
 
-// A ray whose direction may have any length (exercises/04-pixel-ray.h).
-static bool length_is_free(void)
-{
-    return strcmp(exercises[evidence.exercise].name, "pixel_ray") == 0;
-}
-
 // As long as the reference's, if the contract of offset_from_surface allows its length. The step is
 // a billionth of the numbers, as large as the difference between two right ways to compute anything
 // else.
@@ -95,7 +89,7 @@ static void settle_freedom(const Numbers *arguments, Numbers *numbers)
 {
     if (layout_is_step(&exercises[evidence.exercise]) && numbers->count == 3)
         settle_step(arguments, numbers);
-    if (!length_is_free() || numbers->count != 6)
+    if (!question_now()->length_is_free || numbers->count != 6)
         return;
     double *d = numbers->at + 3, length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     for (int i = 0; i < 3 && length > 0 && isfinite(length); i++)

@@ -402,10 +402,10 @@ int main(int argc, char **argv)
     records_end();
     for (int i = 0; i < all.count; i++)
         record_test(&all.tests[i], false);
-    agree_on_lengths(&table);
     for (int i = 0; exercises[i].name != NULL; i++)
         if (strcmp(exercises[i].stem, argv[1]) == 0)
             add_probes(i);
+    agree_on_lengths(&table);
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
         add_mistake(it, with_formulas);
     return table_write(argv[2], &table) ? 0 : 1;
