@@ -89,17 +89,28 @@ export function launch() {
         : { args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"], ...given });
 }
 
-/** For a file of tests: a site and a browser, which end after the last of them. */
-export async function begin(folder) {
+/**
+ * For a file of tests, 'node NAME.mjs SITE [FOLDER-FOR-SCREENSHOTS]': the site or another folder, and a browser, which end after
+ * the last test. openPage(path, size) opens a page of it in a tab of its own.
+ */
+export async function begin(folder = process.argv[2]) {
     const host = await serve(folder), browser = await launch();
     after(async () => {
         await browser.close();
         await host.stop();
     });
-    return { host, browser };
+    const openPage = async (path, size) => {
+        const tab = await openTab(browser, host.address, size);
+        await tab.visit(path);
+        return tab;
+    };
+    return { folder, host, browser, openPage };
 }
 
-/** A tab that notes what a page must not do: errors, messages of the policy, requests to another origin. */
+/**
+ * A tab that notes what a page must not do: errors, messages of the policy, requests to another origin. Beside what every tab
+ * can: visit(path), text(selector), press(selector), which clicks wherever that is, and shot(name, part), if screenshots are wanted.
+ */
 export async function openTab(browser, site, { width = 1280, height = 800 } = {}) {
     const tab = await browser.newPage();
     tab.faults = [];
@@ -119,7 +130,17 @@ export async function openTab(browser, site, { width = 1280, height = 800 } = {}
         globalThis.setTimeout = (then, milliseconds, ...more) => setTimeout(then, milliseconds === silent ? hangs : milliseconds, ...more);
     }, SILENT, HANGS);
     await tab.setViewport({ width, height });
-    return tab;
+    const shots = process.argv[3];
+    return Object.assign(tab, {
+        async visit(path) {
+            await tab.goto(site + path, { waitUntil: "load" });
+            if (await tab.$("#editor"))
+                await waitForEditor(tab);
+        },
+        text: (selector) => tab.$eval(selector, (each) => each.textContent),
+        press: (selector) => tab.$eval(selector, (each) => each.click()),
+        shot: async (name, part = tab) => shots && part.screenshot({ path: join(shots, `${name}-${browserName}.png`) }),
+    });
 }
 
 /** What axe-core finds of these impacts, as one line each. It tries a style element, which is not the page's fault. */
@@ -142,6 +163,9 @@ export const waitForEditor = (tab) => waitFor("an editor", () => tab.$eval("#edi
 /** The text of the editor, and typing over it. */
 export const editorText = (tab) => tab.$eval("#editor", (place) =>
     [...place.shadowRoot.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
+
+/** A complete verdict with these words. */
+export const hasVerdict = async (tab, wanted) => wanted.test(await tab.text("#verdict")) && await tab.$eval("#progress", (each) => each.hidden);
 
 export async function waitFor(what, probe) {
     const end = Date.now() + HANGS;

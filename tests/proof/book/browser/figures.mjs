@@ -4,12 +4,10 @@
 // Usage: BROWSER=chromium|firefox node figures.mjs SITE [FOLDER-FOR-SCREENSHOTS]
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
-import { join } from "node:path";
 import test from "node:test";
-import { begin, browserName, openTab, seriousFindings, waitFor } from "../site.mjs";
+import { begin, browserName, seriousFindings, waitFor } from "../site.mjs";
 
-const [folder, shots] = process.argv.slice(2);
-const { host, browser } = await begin(folder);
+const { openPage } = await begin();
 
 const place = (name) => `.figure[data-figure="${name}"]`;
 /** Waits until the figure is live. Figures above it may become taller meanwhile, so it is put into sight again. */
@@ -32,8 +30,7 @@ const state = (tab, name) => tab.evaluate((at) => {
 }, place(name));
 
 async function open(page, name, size) {
-    const tab = await openTab(browser, host.address, size);
-    await tab.goto(`${host.address}${page}.html`, { waitUntil: "load" });
+    const tab = await openPage(`${page}.html`, size);
     await isLive(tab, name);
     await tab.evaluate(() => document.fonts.ready);
     return tab;
@@ -73,16 +70,15 @@ const numbers = (text) => text.split(",").map(Number);
 
 test("live figures, by mouse, finger, key and number", async () => {
     // All figures of the course become live, without a fault.
-    const stems = readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each)), all = await openTab(browser, host.address);
+    const stems = readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each)), all = await openPage("index.html");
     for (const stem of stems) {
-        await all.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
+        await all.visit(`${stem}.html`);
         await all.evaluate(() => document.querySelectorAll(".lesson details").forEach((each) => { each.open = true; }));
         for (const name of new Set(await all.$$eval(".figure", (figures) => figures.map((each) => each.dataset.figure)))) {
             await isLive(all, name);
             const now = await state(all, name);
             assert.ok(now.title.length > 5 && now.words.length > 20, `${name} has words`);
-            if (shots)
-                await (await all.$(place(name))).screenshot({ path: join(shots, `live-${name}-${browserName}.png`) });
+            await all.shot(`live-${name}`, await all.$(place(name)));
         }
         assert.deepEqual(await seriousFindings(all), [], `${stem} with live figures`);
     }

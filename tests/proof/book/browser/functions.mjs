@@ -8,15 +8,15 @@ import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { partsOf } from "../../../../chapters/book/judge.js";
 import { openSite } from "../in_node.mjs";
-import { begin, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
+import { begin, replaceText, waitFor } from "../site.mjs";
 
-const [folder] = process.argv.slice(2), chapters = process.env.CHAPTERS?.split(",");
+const chapters = process.env.CHAPTERS?.split(",");
 const stems = readdirSync("solutions").filter((name) => /^0[1-7]-.*\.c$/.test(name) && (!chapters || chapters.includes(name.slice(0, 2))))
     .map((name) => name.slice(0, -2)).sort();
 
 // ---- in node ---------------------------------------------------------------------------------------
 
-const { tools, newJudge } = await openSite(folder), sources = {}, records = new Map();
+const { tools, newJudge } = await openSite(process.argv[2]), sources = {}, records = new Map();
 
 async function verdictHere(judge, stem, text) {
     sources[stem] = text;
@@ -38,14 +38,13 @@ function wrong(solution, name) {
     return solution.slice(0, at) + opposite[solution[at]] + solution.slice(at + 1);
 }
 
-const { host, browser } = await begin(folder);
+const { openPage } = await begin();
 test("a wrong answer to each function has the verdict of node", async () => {
-    const tab = await openTab(browser, host.address);
+    const tab = await openPage("index.html");
     for (const stem of stems) {
         const solution = readFileSync(`solutions/${stem}.c`, "utf8"), judge = newJudge(records);
         const names = readFileSync(`build/answer_names/${stem}`, "utf8").trim().split("\n").map((line) => line.split(" ")[0]);
-        await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
-        await waitForEditor(tab);
+        await tab.visit(`${stem}.html`);
         for (const name of names) {
             const text = wrong(solution, name);
             const wanted = await verdictHere(judge, stem, text);
@@ -53,7 +52,7 @@ test("a wrong answer to each function has the verdict of node", async () => {
             await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict[data-result]") !== null &&
                 !document.querySelector("#verdict").classList.contains("old") && /judged/.test(document.querySelector("#state").textContent))); // with its pictures
             assert.equal(await tab.evaluate((key) => localStorage.getItem(key), `ray-casting /course/ ${stem} record`), wanted.record, `${stem}, ${name}`);
-            const plain = (words) => words.replace(/[\s~\u00a0]/g, "").toLowerCase(), shown = plain(await tab.$eval("#verdict", (each) => each.textContent));
+            const plain = (words) => words.replace(/[\s~\u00a0]/g, "").toLowerCase(), shown = plain(await tab.text("#verdict"));
             assert.deepEqual(wanted.words.filter((words) => !shown.includes(plain(words))), [], `${stem}, ${name}: all that the judge says is shown`);
         }
     }

@@ -6,19 +6,19 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import test from "node:test";
-import { begin, browserName, findings, openTab } from "../site.mjs";
+import { begin, browserName, findings } from "../site.mjs";
 
-const { host, browser } = await begin("build/solutions"), figures = readdirSync("build/solutions/figures").filter((name) => !name.startsWith("."));
+const { openPage } = await begin("build/solutions"), figures = readdirSync("build/solutions/figures").filter((name) => !name.startsWith("."));
 const schemes = browserName === "firefox" ? ["light"] : ["light", "dark"]; // WebDriver BiDi has no dark scheme yet
 test("the page of pictures", async () => {
-    const tab = await openTab(browser, host.address);
+    const tab = await openPage("gallery/index.html");
     for (const scheme of schemes) {
         if (schemes.length > 1)
             await tab.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
         for (const width of [1440, 768, 360, 320]) {
             const where = `${scheme}, ${width} pixels`;
             await tab.setViewport({ width, height: 800 });
-            await tab.goto(`${host.address}gallery/index.html`, { waitUntil: "load" });
+            await tab.visit("gallery/index.html");
             await tab.evaluate(() => document.querySelectorAll("details").forEach((each) => { each.open = true; }));
             const shown = await tab.evaluate(async () => {
                 const images = [...document.images];

@@ -6,15 +6,13 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import test from "node:test";
-import { begin, openTab, seriousFindings, waitFor } from "../site.mjs";
+import { begin, seriousFindings, waitFor } from "../site.mjs";
 
-const [folder] = process.argv.slice(2);
-const { host, browser } = await begin(folder);
+const { folder, browser, openPage } = await begin();
 const html = readFileSync(join(folder, "lecture.html"), "utf8");
 
 async function open(address = "") {
-    const tab = await openTab(browser, host.address, { width: 1280, height: 720 });
-    await tab.goto(`${host.address}lecture.html${address}`, { waitUntil: "load" });
+    const tab = await openPage(`lecture.html${address}`, { width: 1280, height: 720 });
     await isReady(tab);
     return tab;
 }

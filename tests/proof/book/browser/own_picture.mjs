@@ -7,11 +7,10 @@ import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
 import { makeZip } from "../../../../chapters/book/page/answers.js";
-import { begin, browserName, openTab, waitFor } from "../site.mjs";
+import { begin, waitFor } from "../site.mjs";
 
-const [folder, shots] = process.argv.slice(2);
-const { host, browser } = await begin(folder);
-const tab = await openTab(browser, host.address, { width: 1440, height: 900 });
+const { openPage } = await begin();
+const tab = await openPage("index.html", { width: 1440, height: 900 });
 const solutions = readdirSync("solutions").filter((name) => /^\d\d-.*\.c$/.test(name)).sort();
 /** The picture is complete, and these words are below it: both at once. */
 const fine = (what, words) => waitFor(what, async () => words.test(await tab.$eval("#picture", (each) =>
@@ -23,7 +22,6 @@ const colours = () => tab.$eval("#picture canvas", (canvas) => {
     return [...small.getImageData(0, 0, 16, 9).data];
 });
 const apart = (a, b) => Math.max(...a.map((each, at) => Math.abs(each - b[at])));
-const shot = (name) => shots && tab.screenshot({ path: join(shots, `own-picture-${browserName}-${name}.png`) });
 
 /** An archive of answers, as a student uploads it. */
 async function upload(texts) {
@@ -36,10 +34,9 @@ const right = (name) => readFileSync(join("solutions", name), "utf8");
 test("the picture of the start page", async (t) => {
     let before;
     await t.test("the reference casts it", async () => {
-        await tab.goto(`${host.address}index.html`, { waitUntil: "load" });
         await fine("a picture by the reference", /by the reference/);
         before = await colours();
-        await shot("reference");
+        await tab.shot("own-picture-reference");
     });
     await t.test("a key turns it, and the picture is fine again", async () => {
         await tab.focus("#picture canvas");
@@ -51,13 +48,13 @@ test("the picture of the start page", async (t) => {
     await t.test("right answers draw it, and are named; a wrong one does not", async () => {
         await upload({ "02-cameras.c": right("02-cameras.c"), "01-corners.c": right("01-corners.c").replace(/return [^;]*w[^;]*;/, "return c.up;") });
         await fine("a picture with some answers", /^Yours, \d+ of \d+ functions: .*camera_from/);
-        await shot("some");
+        await tab.shot("own-picture-some");
         assert.ok(apart(before, await colours()) <= 2);
     });
     await t.test("all answers: drawn by the student's own code, to be saved", async () => {
         await upload(Object.fromEntries(solutions.map((name) => [name, right(name)])));
         await fine("a picture by all answers", /^Drawn by your own code/);
-        await shot("all");
+        await tab.shot("own-picture-all");
         assert.equal(await tab.$eval("#picture button", (each) => each.hidden), false);
         const after = await colours();
         assert.ok(apart(before, after) <= 2, `the parts differ by ${apart(before, after)}`);

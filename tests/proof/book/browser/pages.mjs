@@ -4,21 +4,16 @@
 // Usage: BROWSER=chromium|firefox node pages.mjs SITE [FOLDER-FOR-SCREENSHOTS]
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
-import { join } from "node:path";
 import test from "node:test";
-import { begin, FOR_A_TERMINAL, openTab, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
+import { begin, FOR_A_TERMINAL, seriousFindings, waitFor } from "../site.mjs";
 
-const [folder, shots] = process.argv.slice(2);
-const { host, browser } = await begin(folder);
+const { folder, host, openPage } = await begin();
 const pages = readdirSync(folder).filter((name) => name.endsWith(".html")).concat("listings/exercises/05-quadratic.h.html");
 const links = new Set();
 test("every page, light and dark, wide and narrow", async () => {
     for (const name of pages) {
-        const tab = await openTab(browser, host.address);
-        await tab.goto(host.address + name, { waitUntil: "load" });
+        const tab = await openPage(name);
         await waitFor("the page's script", () => tab.$eval("#theme", (each) => each.title !== "" || document.documentElement.dataset.kind === "lecture"));
-        if (await tab.$("#editor"))
-            await waitForEditor(tab);
         if (/^\d/.test(name))
             assert.deepEqual((await tab.$eval("main", (each) => each.textContent)).split("\n").filter((line) => FOR_A_TERMINAL.test(line)), [], name);
         (await tab.$$eval("a[href]", (all) => all.map((each) => each.href))).forEach((link) => links.add(link));
@@ -31,8 +26,7 @@ test("every page, light and dark, wide and narrow", async () => {
             if (width === 360)
                 continue;
             await tab.evaluate(() => document.querySelectorAll(".lesson details").forEach((each) => { each.open = true; }));
-            if (shots)
-                await tab.screenshot({ path: join(shots, `${name.replace(/\W/g, "-")}-${width}-${theme}.png`) });
+            await tab.shot(`${name.replace(/\W/g, "-")}-${width}-${theme}`);
             assert.deepEqual(await seriousFindings(tab), [], `${name}, ${theme}, ${width} pixels`);
         }
         assert.match(await tab.$eval("meta[name=description]", (each) => each.content), /^(You w|W)rite .{20}/, `${name}: what a shared link shows`);

@@ -5,13 +5,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { begin, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
+import { begin, hasVerdict, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
 
-const [folder] = process.argv.slice(2), stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
-const { host, browser } = await begin(folder);
-const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
-const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, async () =>
-    wanted.test(await textOf(tab, "#verdict")) && await tab.$eval("#progress", (each) => each.hidden));
+const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
+const { host, browser } = await begin();
+const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, () => hasVerdict(tab, wanted));
 
 /** Macros whose expansion has 2^40 parts, none of which is left: the compiler takes no memory, and does not end. */
 const ENDLESS = `#define A0\n${Array.from({ length: 40 }, (_, i) => `#define A${i + 1} A${i} A${i}\n`).join("")}A40\n`;
@@ -34,7 +32,7 @@ test("the next answer gets its verdict after a failure", async () => {
     });
     const release = host.hold(/\/page\.js$/), opening = tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
     await waitFor("a button", () => tab.$("#judge").catch(() => null));
-    await tab.$eval("#judge", (each) => each.click());
+    await tab.press("#judge");
     release();
     await opening;
     await verdict(tab, "a click before the page's script", /is not answered yet/);
@@ -51,11 +49,11 @@ test("the next answer gets its verdict after a failure", async () => {
         globalThis.setTimeout = (then, milliseconds, ...more) => globalThis.realTimeout(then, milliseconds === 30_000 ? 3000 : milliseconds, ...more);
     });
     await replaceText(tab, `${right}\n${ENDLESS}`, { judge: true });
-    await waitFor("words about a compilation without an end", async () => /ended and starts again.*Your answer is saved/.test(await textOf(tab, "#trouble")));
+    await waitFor("words about a compilation without an end", async () => /ended and starts again.*Your answer is saved/.test(await tab.text("#trouble")));
     await tab.evaluate(() => { globalThis.setTimeout = globalThis.realTimeout; });
     await replaceText(tab, WRONG, { judge: true });
     await verdict(tab, "after a compilation without an end", IS_WRONG);
-    assert.equal(await textOf(tab, "#trouble"), "");
+    assert.equal(await tab.text("#trouble"), "");
 
     // A Worker that stops by itself is started again, and the student sees only the verdict.
     await tab.reload({ waitUntil: "load" });

@@ -8,12 +8,12 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
 import { writeServiceWorker } from "../../../../chapters/book/site/bundle.mjs";
-import { begin, openTab, waitFor } from "../site.mjs";
+import { begin, waitFor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), scratch = mkdtempSync(join(tmpdir(), "book-"));
 // The pages and their scripts, without what takes long to keep.
 cpSync(folder, scratch, { recursive: true, filter: (path) => !/\/(compiler|programs|chapters|figures|pictures\.pack\.gz)$/.test(path) });
-const { host, browser } = await begin(scratch);
+const { host, openPage } = await begin(scratch);
 
 /** Publishes a version: each page and each script says which it is. exceptFor: files that the host does not have yet. */
 function publish(version, exceptFor = []) {
@@ -39,11 +39,6 @@ const versions = async (tab) => [...new Set(await tab.evaluate(async () => {
     return [own, ...loaded];
 }))];
 const state = (tab, of) => tab.evaluate(async (of) => Boolean((await navigator.serviceWorker.getRegistration())?.[of]), of);
-const open = async () => {
-    const tab = await openTab(browser, host.address);
-    await tab.goto(`${host.address}index.html`, { waitUntil: "load" });
-    return tab;
-};
 const reload = (tab) => tab.reload({ waitUntil: "load" }).catch(() => {}); // a page with a new version is loaded twice
 // Asks for no file before the new version has taken over: a browser waits until the old service worker has nothing to do.
 const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, async () =>
@@ -51,7 +46,7 @@ const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, asyn
 
 test("a page and all that it loads are of one version", async () => {
     publish(1);
-    const tab = await open();
+    const tab = await openPage("index.html");
     await waitFor("the site kept", () => state(tab, "active"));
     await tab.reload({ waitUntil: "load" });
     assert.deepEqual(await versions(tab), ["1"], "the first version");
@@ -60,12 +55,12 @@ test("a page and all that it loads are of one version", async () => {
     await reload(tab);
     await waitFor("the second version kept", () => state(tab, "waiting"));
     assert.deepEqual(await versions(tab), ["1"], "a page that was open has its own version to the end");
-    const other = await open();
+    const other = await openPage("index.html");
     await new Promise((resolve) => setTimeout(resolve, 1000)); // for a version that should not come
     assert.deepEqual(await versions(other), ["1"], "two pages have the same version");
     assert.deepEqual(await versions(tab), ["1"], "two pages have the same version");
     await other.close();
-    await tab.goto(`${host.address}figures.html`, { waitUntil: "load" }).catch(() => {}); // it is loaded twice
+    await tab.visit("figures.html").catch(() => {}); // it is loaded twice
     await isOf(tab, 2, "a page that is opened alone");
     assert.ok(tab.url().endsWith("/figures.html"), tab.url());
     const keptFiles = await tab.evaluate(async () => {
