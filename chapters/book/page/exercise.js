@@ -189,7 +189,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         shown = verdict;
         drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
         answers.saveJudged(stem, text, verdict);
-        if (functions.length > 0)
+        if (verdict.total > 0)
             live?.follow();
         onVerdict();
     }
