@@ -4,15 +4,12 @@
 // Usage: BROWSER=chromium|firefox node live_scene.mjs SITE [FOLDER-FOR-SCREENSHOTS]
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import test from "node:test";
-import { begin, browserName, openTab, replaceInEditor, replaceText, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
+import { begin, openTab, replaceInEditor, replaceText, seriousFindings, waitFor } from "../site.mjs";
 
-const [folder, shots] = process.argv.slice(2);
-const { host, browser } = await begin(folder);
+const { host, browser, openPage } = await begin();
 const stem = "07-shading", right = readFileSync(`solutions/${stem}.c`, "utf8");
-const tab = await openTab(browser, host.address, { width: 1440, height: 900 });
-const shot = (name) => shots && tab.screenshot({ path: join(shots, `live-scene-${browserName}-${name}.png`) });
+const tab = await openPage(`${stem}.html`, { width: 1440, height: 900 });
 
 /** The panel, as soon as its picture is fine. */
 const state = () => tab.$eval(".live-scene", (each) => {
@@ -29,8 +26,6 @@ const sphereA = (now) => /^sphere A at (.*)\. Drag/.exec(now.things.find((each) 
 test("a scene beside the exercise", async (t) => {
     let reference;
     await t.test("the reference casts it, while nothing is answered", async () => {
-        await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
-        await waitForEditor(tab);
         await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus()); // that opens it
         reference = await fine("a picture", ({ credit }) => /the reference/.test(credit));
         assert.equal(reference.things.length, 4, "three spheres and a light");
@@ -45,7 +40,7 @@ test("a scene beside the exercise", async (t) => {
         await replaceText(tab, wrong, { judge: true });
         const seen = await fine("a wrong picture", ({ credit }) => /surface_normal \(not right yet\)/.test(credit));
         assert.ok(apart(reference, seen) > 50, "a wrong normal is seen");
-        await shot("wrong");
+        await tab.shot("live-scene-wrong");
         await replaceText(tab, right, { judge: true });
         await fine("the right picture", (now) => /trace_ray/.test(now.credit) && apart(reference, now) <= 1);
     });
@@ -73,7 +68,7 @@ test("a scene beside the exercise", async (t) => {
         const { story } = await fine("a story", (now) => /normal/.test(now.story));
         for (const words of ["(160.5, 120.5)03 pixel_center", "05 sphere_roots", "07 surface_normal", "07 trace_ray"])
             assert.ok(story.includes(words), words);
-        await shot("story");
+        await tab.shot("live-scene-story");
         assert.deepEqual(await seriousFindings(tab), []);
     });
     let link;
@@ -85,7 +80,7 @@ test("a scene beside the exercise", async (t) => {
         await write(`${view}s 0 0 0 -1\n`);
         await waitFor("a message", async () => /line 8: a radius of -1, expected more than 0/.test((await state()).trouble));
         await waitFor("a mark at the line", () => tab.$eval(".scene-text", (place) => Boolean(place.shadowRoot.querySelector(".cm-lintRange-error"))));
-        await shot("written");
+        await tab.shot("live-scene-written");
         await write(`${view}f 1 0 0 1 0 0 0 1\ns 0 0 0 2\n`);
         const own = await fine("the written scene", ({ trouble, things }) => trouble === "" && things.length === 2);
         await tab.$$eval(".live-scene .actions button", (all) => all.find((each) => each.textContent === "Link").click());
