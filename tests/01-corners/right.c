@@ -76,7 +76,6 @@ RIGHT(with_unit_distance, "the width by its ratio to the height")
     return same;
 }
 
-// The frame's vectors are the columns.
 RIGHT(upper_right, "a matrix whose columns are the frame")
 {
     double matrix[3][3], way[3] = {c.width / 2, c.height / 2, c.distance};
@@ -125,7 +124,6 @@ RIGHT(image_plane_vector, "in long double")
     return v;
 }
 
-// By similar triangles: the plane at distance 1, and back.
 RIGHT(image_plane_vector, "at distance 1, then d times as far")
 {
     double w = c.width / c.distance, h = c.height / c.distance;

@@ -40,7 +40,6 @@ RIGHT(pixel_ray, "without the earlier answers")
     return (Ray){camera.origin, direction};
 }
 
-// As in many renderers: the step from one pixel to the next, starting at the upper left corner.
 RIGHT(pixel_ray, "from the upper left corner, pixel by pixel")
 {
     vec3 across = camera.width / screen.width * camera.right;

@@ -200,7 +200,6 @@ RIGHT(quadratic_roots, "Kahan's discriminant, with fma")
     return roots.t[0] <= roots.t[1] ? roots : (Roots){2, {roots.t[1], roots.t[0]}};
 }
 
-// The middle, and the distance to each side.
 RIGHT(quadratic_roots, "the vertex, and the distance to each side")
 {
     if (q.a == 0)
@@ -243,7 +242,6 @@ RIGHT(sphere_roots, "the distance with the cross product")
     return (Roots){.count = 2, .t = {(middle - half) / length, (middle + half) / length}};
 }
 
-// Along the ray and across it: a circle in the plane.
 RIGHT(sphere_roots, "a circle in the plane along the ray")
 {
     vec3 p = ray.origin - sphere.center, along = vec3_unit(ray.direction);

@@ -31,7 +31,6 @@ RIGHT(mirror_direction, "a unit direction, with its length restored")
     return length * (unit - normal * 2 * vec3_dot(normal, unit));
 }
 
-// Householder's matrix, row by row.
 RIGHT(mirror_direction, "Householder's matrix")
 {
     vec3 mirrored = direction;
@@ -41,7 +40,6 @@ RIGHT(mirror_direction, "Householder's matrix")
     return mirrored;
 }
 
-// Rotated by half a turn around the normal, and reversed.
 RIGHT(mirror_direction, "half a turn around the normal, and reversed")
 {
     vec3 across = vec3_cross(vec3_cross(normal, direction), normal);
@@ -49,7 +47,6 @@ RIGHT(mirror_direction, "half a turn around the normal, and reversed")
     return -turned;
 }
 
-// In a frame on the mirror.
 RIGHT(mirror_direction, "a frame on the mirror")
 {
     int axis = fabs(normal[0]) < 0.6 ? 0 : fabs(normal[1]) < 0.6 ? 1 : 2;
@@ -117,7 +114,6 @@ RIGHT(phong_term, "normalised first, then mirrored")
     return color;
 }
 
-// Half a turn around the normal takes the light to its mirrored direction.
 RIGHT(phong_term, "half a turn around the normal")
 {
     vec3 across = to_light - vec3_dot(to_light, normal) * normal, turned = to_light - 2 * across;
@@ -127,7 +123,6 @@ RIGHT(phong_term, "half a turn around the normal")
     return vec3_of(ks * light[0] * power, ks * light[1] * power, ks * light[2] * power);
 }
 
-// The eye mirrored, and compared with the light.
 RIGHT(phong_term, "the eye mirrored")
 {
     vec3 mirrored = vec3_unit(mirror_direction(-to_eye, normal));
@@ -153,7 +148,6 @@ RIGHT(phong_term, "nothing for an eye behind the surface")
     return light * (ks * pow(fmax(0, vec3_dot(r, vec3_unit(to_eye))), shine));
 }
 
-// n.(l + e) / |l + e|, of three dot products of unit vectors.
 RIGHT(halfway_term, "of three dot products")
 {
     to_light = vec3_unit(to_light);
@@ -174,7 +168,6 @@ RIGHT(halfway_term, "long double, with logarithms")
     return light;
 }
 
-// Each as long as the other.
 RIGHT(halfway_term, "both as long as each other first")
 {
     vec3 halfway = vec3_unit(vec3_length(to_eye) * to_light + vec3_length(to_light) * to_eye);
@@ -330,7 +323,6 @@ RIGHT(shade, "recursion over the lights")
     return of_lights(&lit, 0);
 }
 
-// Each of the three numbers by itself, in long double.
 RIGHT(shade, "colour by colour, in long double")
 {
     Sphere sphere = scene->spheres[hit.sphere];

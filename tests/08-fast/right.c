@@ -78,7 +78,6 @@ RIGHT_LINE(sphere_rectangle, "with the points that the tangents touch",
 RIGHT_LINE(sphere_rectangle, "in long double",
            return with_tangents(camera, screen, sphere, in_long_double))
 
-// Two corners, each by normalized_to_screen.
 RIGHT(sphere_rectangle, "with angles and normalized_to_screen")
 {
     vec3 to = sphere.center - camera.origin;
