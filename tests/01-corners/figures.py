@@ -114,6 +114,10 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     eye(figure, c)
     # Seen from the eye, everything of another camera is multiplied by one factor.
     larger = {"plane": 1, "twice": 2, "unit": 1 / c["d"]}
+    if not 0.08 <= larger["unit"] <= 8:
+        larger["unit"] = 0.5 if larger["unit"] < 1 else 3
+        checks.that("a plane that is not to scale is said not to be", "not drawn to scale" in " ".join(figure.in_words()))
+    note = "" if larger["unit"] == 1 / c["d"] else "not to scale: "
     for title, factor in larger.items():
         outline(figure, title, c, [plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c)])
     through = [plus(c["p"], vector_to(c, 2 * s - 1, 2 * t - 1), factor) for factor in larger.values()]
@@ -124,8 +128,8 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     checks.near("the ray", figure.tips("one ray"),
                 figure.place(plus(c["p"], vector_to(c, 2 * s - 1, 2 * t - 1), far)))
     checks.shows(figure, *(f"{n} = {shown(c[n])}" for n in "dwh"), *(f"2 {n} = {shown(2 * c[n])}" for n in "dwh"),
-                 *(f"{n}/d = {shown(c[n] / c['d'])}" for n in "dwh"))
-    for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", 1 / c["d"])):
+                 f"{note}d/d = 1", *(f"{n}/d = {shown(c[n] / c['d'])}" for n in "wh"))
+    for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", larger["unit"])):
         upper_left, upper_right, lower_right, _ = (
             plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c))
         arrow(figure, f"{title} w", upper_left, upper_right, (0, 14))

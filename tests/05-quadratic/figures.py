@@ -201,7 +201,7 @@ def parabola(m):
         ends = [place for line in figure.lines(f"t{i}, vertical") for place in (line[0], line[-1])]
         checks.near(f"the vertical of root {i}", ends, [panel.place(m.at(t)), (panel.place(m.at(t))[0], axis)])
     _, _, c, _ = m.coefficients()
-    higher_up = any("higher up" in text for text, _, _ in figure.labels())
+    higher_up = "higher up" in " ".join(text for text, _, _ in figure.labels())
     if figure.number("near_p"):
         checks.that("the words name what is higher up", higher_up == (c > figure.number("f_high")))
         checks.near("f(0)", figure.dots("f(0)"), [] if higher_up else [(panel.place(m.p)[0], axis + k * c)])

@@ -1,5 +1,5 @@
 #!/bin/sh
-# figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two (fewer
+# figures.sh - figures of 500 cameras in each of four chapters, of 500 rays and scenes in two, from 1e-6 to 1e6 (fewer
 # with MOST_CAMERAS and MOST_SCENES); of all known mistakes (with MISTAKES=10 each tenth); and all files that make
 # figures makes (with STEPS_OF=N, the steps of N figures).
 # Only reads the tree.
@@ -9,7 +9,7 @@ once 'figures, long' "hundreds of figures of each kind"
 
 needs 'figures, long' 'figures' gnuplot python3
 
-CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} MISTAKES=${MISTAKES:-1} counted sh tests/house/figures.sh random
+CAMERAS=${MOST_CAMERAS:-500} SCENES=${MOST_SCENES:-500} MISTAKES=${MISTAKES:-1} counted sh tests/house/figures.sh random
 
 # Draws by the rules of the environment; prints its output.
 drawn=$scratch/figures

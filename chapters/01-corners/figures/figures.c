@@ -228,14 +228,16 @@ static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
     plot_block_end(plot);
 }
 
-static void name_dimensions(Plot *plot, const char *which, int step, const char *const *names)
+static void name_dimensions(Plot *plot, const char *which, int step, const char *note,
+                            const char *const *names)
 {
     static const struct {
         const char *block, *color;
     } looks[] = {{"d", "pink"}, {"w", "orange"}, {"h", "green"}};
     for (size_t i = 0; i < COUNT(looks); i++) {
-        char text[40], block[40];
-        snprintf(text, sizeof text, "$%s$ = {%s}", names[2 * i], names[2 * i + 1]);
+        char text[60], block[40];
+        snprintf(text, sizeof text, "%s$%s$ = {%s}", i == 0 ? note : "", names[2 * i],
+                 names[2 * i + 1]);
         snprintf(block, sizeof block, "%s_%s", which, looks[i].block);
         plot_name(plot,
                   (Label){text, looks[i].color, .step = step, .block = block, .part = ANYWHERE});
@@ -257,17 +259,25 @@ static void common_rays(Plot *plot, const View *view, double farthest)
     plot_block_end(plot);
 }
 
+static Camera scaled(Camera c, double times)
+{
+    c.distance *= times;
+    c.width *= times;
+    c.height *= times;
+    return c;
+}
+
 static void double_dwh(Plot *plot, void *given)
 {
     const View *view = given;
-    Camera c = view->camera, twice = c, unit = with_unit_distance(c);
-    twice.distance *= 2;
-    twice.width *= 2;
-    twice.height *= 2;
-    const Camera cameras[PLANES] = {c, twice, unit};
+    Camera c = view->camera, twice = scaled(c, 2), unit = with_unit_distance(c);
+    // The plane at distance 1 may be a point beside the others, or hide them: then it is elsewhere
+    // on the same rays.
+    double times = 1 / c.distance, drawn = times > 8 ? 3 : times < 0.08 ? 0.5 : times;
+    const Camera cameras[PLANES] = {c, twice, scaled(unit, drawn / times)};
     plane_data(plot, c, 1, 1);
     plane_outline(plot, "twice_plane", twice);
-    plane_outline(plot, "unit_plane", unit);
+    plane_outline(plot, "unit_plane", cameras[2]);
     plot_number(plot, "s", view->s);
     plot_number(plot, "t", view->t);
     plot_number(plot, "twice_d", twice.distance);
@@ -276,7 +286,8 @@ static void double_dwh(Plot *plot, void *given)
     plot_number(plot, "unit_d", unit.distance);
     plot_number(plot, "unit_w", unit.width);
     plot_number(plot, "unit_h", unit.height);
-    double farthest = fmax(2, 1 / c.distance);
+    plot_number(plot, "to_scale", drawn == times);
+    double farthest = fmax(2, drawn);
     common_rays(plot, view, farthest);
     plot_block(plot, "same_place", "x y z of the points where the last ray meets each plane");
     for (int i = 0; i < PLANES; i++)
@@ -293,10 +304,10 @@ static void double_dwh(Plot *plot, void *given)
     }
     plot_look(plot, c.right, c.up, c.forward, 32, 16);
     plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
-    name_dimensions(plot, planes[0], 1, (const char *[]){"d", "d", "w", "w", "h", "h"});
-    name_dimensions(plot, planes[1], 2,
+    name_dimensions(plot, planes[0], 1, "", (const char *[]){"d", "d", "w", "w", "h", "h"});
+    name_dimensions(plot, planes[1], 2, "",
                     (const char *[]){"2 d", "twice_d", "2 w", "twice_w", "2 h", "twice_h"});
-    name_dimensions(plot, planes[2], 3,
+    name_dimensions(plot, planes[2], 3, drawn == times ? "" : "not to scale: ",
                     (const char *[]){"d/d", "unit_d", "w/d", "unit_w", "h/d", "unit_h"});
     place_handle(plot, view);
     camera_handles(plot, c);
