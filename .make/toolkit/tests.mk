@@ -152,7 +152,7 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 CHECKS := $(COMMON_TESTS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX)
 with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/check_cases.py $(EXPLAIN)' \
-	'tests/proof/seeds.sh 4711' 'tests/house/grade.sh modules'
+	'tests/proof/seeds.sh 4711' 'tests/house/grade.sh modules' 'tests/house/grade.sh attacks'
 TRANSCRIPTS := $(wildcard tests/house/*.txt)
 HOUSE := $(TRANSCRIPTS) $(wildcard tests/house/*.sh)
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))
@@ -175,14 +175,14 @@ accept: $(FOR_CHECKS) $$(READY) ##+ what the transcripts' commands print is now 
 # The tests that need longer: a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
-# PROOFS='exact seeds': only these of tests/proof/.
+# PROOFS='fuzz seeds': only these of tests/proof/.
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh) \
-	'tests/house/grade.sh long' 'tests/house/hostile.sh all')
+	'tests/house/grade.sh long' 'tests/house/grade.sh attacks all')
 .PHONY: check-all check-long
 check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ##+ all tests, also those that need longer
 	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE) $(PROOF_SCRIPTS)
 
-check-long: $(FOR_LONG) ##+ only those that need longer (PROOFS='seeds exact': only these)
+check-long: $(FOR_LONG) ##+ only those that need longer (PROOFS='fuzz seeds': only these)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(PROOF_SCRIPTS)
 
 # ---- measurements: make bench, and its parts ----------------------------------------------------

@@ -3,7 +3,8 @@
 # instructor's page; 'modules': what is a submission, what it is worth, what is written of a graded class, and what 'make
 # submission' packs; 'long': a grader that is killed, shared, and started again gives the same marks, and a failure of the
 # machine is never a mark; archives that grow when they are opened; the archive for Gradescope, built, installed, given
-# submissions.
+# submissions; 'attacks': a few that change nothing where they succeed, on the tree as it is; 'attacks all': all of them,
+# on a tree full of secrets and in every sandbox that there is.
 # Only reads the tree.
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 part=${1:-class}
@@ -15,5 +16,12 @@ class) set -- test_grade test_example ;;
 modules) set -- test_submissions test_folders test_archives test_policy test_marking test_pack test_reports test_class \
     test_ledger test_return test_similar test_term ;;
 long) set -- test_regrade test_faults test_bombs test_gradescope ;;
+attacks)
+    [ "${2:-}" = all ] || set -- bubblewrap exit-in-constructor exit-in-function forged-answer-early include-solution \
+        incbin-reference circle-of-two wait-for-blanks wait-object lend-no- reference- table chance- honest-counting \
+        honest-latin honest-output honest-pragma honest-printf honest-sorting honest-wait honest-wrong unset-
+    if [ "$1" = attacks ]; then python3 -B tests/grade/attacks; else HERE=1 python3 -B tests/grade/attacks "$@"; fi
+    exit
+    ;;
 esac
 python3 -B tests/grade/check "grading, $part" "$@"
