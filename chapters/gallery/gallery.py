@@ -137,7 +137,10 @@ class Gallery:
             for step in range(1, count + 1):
                 for theme, dark in (("", ""), ("-dark", ", dark")):
                     rows += self.row(name, f"{suffix}-step{step}{theme}", f"step {step}{shape}{dark}", title)
-        return rows and f"""<details><summary>More shapes and steps<span class="aloud"> of {escaped(title)}</span></summary><dl>{rows}</dl></details>
+        # Own figures are made by another command.
+        command = f"<p><code>make figures FIGURE={name} STEPS=1 FORMAT=svg,pdf,png,tex</code> draws all of them.</p>" \
+            if any(Path("chapters").glob(f"*/figures/{name}.gp")) else ""
+        return (rows or command) and f"""<details><summary>Steps, shapes and formats<span class="aloud"> of {escaped(title)}</span></summary>{rows and f"<dl>{rows}</dl>"}{command}</details>
 """
 
     def source(self, name, variant, media):

@@ -258,14 +258,14 @@ if (!isHandout) {
     write("lecture.html", lecturePage({ slides, films, about: ABOUT, policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
 }
 
-// In the order of the lecture, and those that it does not show at the end of their chapter's. A handout has no lecture.
+// In the order of the lecture, and those that it does not show at the end of their chapter's (08's at the very end). A handout has no lecture.
 const onSlides = [...new Set([...slides.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
 const figures = stems.flatMap((stem) => readdirSync(join(root, "chapters", stem)).filter((name) => name.endsWith(".svg") && !/-step\d/.test(name)).map((file) => {
     const name = file.slice(0, -4), svg = readFileSync(join(root, "chapters", stem, file), "utf8");
     return { stem, name, file: `chapters/${stem}/${file}`, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
 }));
 const slideOf = (name) => slides.split("<section ").find((each) => each.includes(` data-figure="${name}"`)).match(/ data-name="([^"]*)"/)[1];
-const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
+const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || (stem === stems.at(-1) ? Infinity : 0) + Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
 figures.sort((a, b) => placeOf(a) - placeOf(b));
 write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
 <h1>Figures</h1>
