@@ -30,7 +30,8 @@ const as_text = (bytes) => bytes === undefined ? "" : text.decode(bytes);
  * @param {{gnuplot: WebAssembly.Module, files: Object<string, string|Uint8Array>}} given
  *   files: the toolkit's files that programs read, by their path from the top: layouts, scenes
  */
-export async function loadFigures({ gnuplot: module, files }) {
+export async function loadFigures({ gnuplot: module, files: texts }) {
+    const files = new Map(Object.entries(texts).map(([path, contents]) => [path, typeof contents === "string" ? new TextEncoder().encode(contents) : contents]));
     const gnuplot = await loadGnuplot(module);
 
     /** What a program's figure says: on stdout, and in files. */
@@ -163,7 +164,7 @@ export async function loadGnuplot(module) {
             const status = gnuplot.callMain([...args]);
             made._emscripten_stack_restore(stack);
             gnuplot.HEAPU8.set(fresh);
-            clear(buffer, used, pages);
+            clear(buffer, used, pages, 64);
             const drawn = {};
             for (const name of wanted)
                 if (gnuplot.FS.analyzePath(name).exists)

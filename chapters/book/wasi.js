@@ -388,9 +388,13 @@ export function isEmpty(buffer, page) {
     return true;
 }
 
-/** Zeros from one page to another. */
-export function clear(buffer, from, to) {
-    for (let page = from; page < to; page++)
-        if (!isEmpty(buffer, page))
+/** Zeros from one page to another. A heap grows upward: then, after so many empty pages, there is nothing. */
+export function clear(buffer, from, to, most = Infinity) {
+    for (let page = from, empty = 0; page < to && empty < most; page++)
+        if (isEmpty(buffer, page)) {
+            empty++;
+        } else {
             new Uint8Array(buffer, page * PAGE, PAGE).fill(0);
+            empty = 0;
+        }
 }

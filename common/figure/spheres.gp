@@ -59,7 +59,7 @@ rim(i, list, k, phi) = list eq "" ? lit(ball_r[i], k, phi) : \
     most(0, least(lit(ball_r[i], k, phi), upto(i, list, words(list), phi)))
 inner(i, list, phi) = list eq "" ? 0 : from(i, list, words(list), phi)
 # Once round the rim in so many places; where something divides it, also back along its inner rim.
-places = dragged ? 49 : 145
+places = dragged ? 37 : 145
 once_round(at) = 360.0 / (places - 1) * at
 turn(list, at) = list eq "" ? once_round(at) : at <= places / 2 ? 2 * once_round(at) : 720 - 2 * once_round(at)
 way(i, list, k, at) = list eq "" || at <= places / 2 ? rim(i, list, k, turn(list, at)) : \
@@ -123,7 +123,7 @@ spheres = 'set samples places; count = 0; behind = ""; before = ""; names = ""; 
         ball_y[count] = Y($2,$3,$4), ball_n[count] = N($2,$3,$4), ball_r[count] = scale * $5, ball_rgb[count] = int($6), \
         ball_h[count] = scale * (along_forward(at_x, at_y, at_z) + d - along_forward($2,$3,$4)), 1) nooutput; \
     plane_side = near(0, 0, 1) < 0 ? -1 : 1; plane_x = plane_side * across(0, 1); \
-    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 || dragged ? 4 : 10; \
+    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = dragged ? 2 : balls > 12 ? 4 : 10; \
     do for [i=1:balls] { order[1 + farther(i)] = i; ball_h[i] = plane_side * ball_h[i]; divided[i] = dividers(i, balls) }; \
     do for [k=1:balls] { i = order[k]; \
         if (ball_h[i] > -ball_r[i]) { behind = behind.ball(i, divided[i]) }; \
