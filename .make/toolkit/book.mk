@@ -274,6 +274,10 @@ check-book: browsers-are-here book
 endif
 .PHONY: check-book
 
+bench-book: book ##+ the course in a page, measured: times, frames a second (BROWSER=firefox, MBIT=10)
+	@node tests/benches/book.mjs $(BOOK) $(or $(MBIT),10)
+.PHONY: bench-book
+
 # ---- what the live figures need, besides the chapters' programs ----------------------------------
 
 # gnuplot, and the layouts and scenes that the programs read. Compressed by xz, as the compiler is.

@@ -1,10 +1,10 @@
 // book.mjs - the course in a page, measured in a real browser: how soon it shows something, how soon there is a verdict,
-// what it takes.
+// what it takes, and how often a second what is dragged is drawn.
 //
 // The host sends at a given rate, over all connections together, as a network does; a browser's own throttling leaves out
 // what a Worker fetches. Usage: BROWSER=chromium|firefox node tests/benches/book.mjs [SITE [MBIT [VERDICTS]]]
 import { readFileSync, readdirSync } from "node:fs";
-import { browserName, editorText, launch, openTab, replaceInEditor, serve, waitFor, waitForEditor } from "../proof/book/site.mjs";
+import { editorText, launch, openTab, replaceInEditor, serve, waitFor, waitForEditor } from "../proof/book/site.mjs";
 
 const [folder = "build/book", mbit = 10, verdicts = 20] = process.argv.slice(2);
 const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
@@ -37,7 +37,7 @@ const host = await serve(folder, { compress: true, rate: mbit * 1e6 }), browser 
 /** The bytes that were sent until a moment of the page, a Date. */
 const sentUntil = (moment, counts = () => true) => host.sent.log.reduce((sum, [when, bytes, path]) => when <= moment && counts(path) ? sum + bytes : sum, 0);
 const isForVerdict = (path) => /\/(compiler|tree)\/|\/programs\/(judge|course)|\/pictures\.pack/.test(path);
-const verdictIsThere = (tab) => tab.$eval("#verdict", (each) => Boolean(each.querySelector("pre[data-result]")) && !each.classList.contains("old"));
+const verdictIsThere = (tab) => tab.$eval("#verdict", (each) => each.dataset.result !== undefined && !each.classList.contains("old"));
 try {
     const tab = await openTab(browser, host.address);
     const begin = Date.now();
@@ -88,10 +88,55 @@ try {
         throw new Error("the editor has another text than was typed");
     show("from a key to the verdict, median", `${median(times.verdict).toFixed(0)} ms`, "at most 250 ms");
     show("  a missing semicolon", `${median(times.slip).toFixed(0)} ms`, "at most 150 ms");
+
+    // ---- what is dragged: a sphere of the scene beside the exercise, and a handle of each figure ------------------------
+    const DRAGGED = 3000; // milliseconds
+    /** Moves a handle round as fast as frames come, and counts what is drawn; then how long the fine picture takes. */
+    const drag = (page, find) => page.evaluate(new Function("given", `return (async () => {
+        const [find, DRAGGED] = given, { handle, drawn, isFine } = eval(find), box = handle.getBoundingClientRect();
+        const send = (kind, x, y) => handle.dispatchEvent(new PointerEvent(kind, { pointerId: 1, clientX: box.x + box.width / 2 + x, clientY: box.y + box.height / 2 + y, bubbles: true }));
+        handle.setPointerCapture = () => {};
+        handle.hasPointerCapture = () => true;
+        send("pointerdown", 0, 0);
+        const counted = drawn(), start = performance.now();
+        for (let i = 0; performance.now() - start < DRAGGED; i++) {
+            send("pointermove", 12 * Math.cos(i / 9), 12 * Math.sin(i / 9));
+            await new Promise(requestAnimationFrame);
+        }
+        const frames = counted() / (performance.now() - start) * 1000, end = performance.now();
+        send("pointerup", 0, 0);
+        while (isFine && !isFine())
+            await new Promise(requestAnimationFrame);
+        return { frames, fine: performance.now() - end };
+    })()`), [find, DRAGGED]);
+    const scene = `(() => {
+        const canvas = document.querySelector(".stage canvas"), context = canvas.getContext("2d"), drawImage = context.drawImage;
+        return { handle: document.querySelector('.handles button[data-kind="s"]'), isFine: () => canvas.hasAttribute("data-fine"),
+            drawn() { let count = 0; context.drawImage = (...all) => { count++; drawImage.apply(context, all); }; return () => count; } };
+    })()`;
+    await waitFor("the scene", () => tab.$(".stage canvas[data-fine]"));
+    await drag(tab, scene); // the engine makes its code faster meanwhile
+    const { frames, fine } = await drag(tab, scene);
+    show("three spheres with mirrors, dragged", `${frames.toFixed(1)} frames/s`, "at least 30 frames/s");
+    show("  the whole picture after that", seconds(fine), "at most 0.3 s");
     show("memory of the tab", megabytes(memoryOf(browser)), "at most 400 MB");
+    for (const each of ["05-quadratic", "06-ray-casting"]) {
+        await tab.goto(`${host.address}${each}.html`, { waitUntil: "load" }).catch(() => {});
+        for (const name of await tab.$$eval(".lesson .figure", (all) => [...new Set(all.map((one) => one.dataset.figure))])) {
+            const at = `document.querySelector('.figure[data-figure="${name}"]')`;
+            const isLive = await waitFor(`${name} live`, () => tab.evaluate(`${at}.closest("details")?.setAttribute("open", ""), ${at}.scrollIntoView({ block: "center" }),
+                ${at}.querySelector(".drawing > div")?.shadowRoot?.querySelector("svg") ? 1 + ${at}.querySelector(".drawing > div").shadowRoot.querySelectorAll(".handle:not([hidden])").length : 0`));
+            if (isLive > 1)
+                show(`${name}, dragged`, `${(await drag(tab, `(() => {
+                    const root = ${at}.querySelector(".drawing > div").shadowRoot, count = { value: 0 };
+                    new MutationObserver(() => { count.value++; }).observe(root.querySelector(".drawing"), { childList: true });
+                    return { handle: root.querySelector(".handle:not([hidden])"), drawn() { const before = count.value; return () => count.value - before; } };
+                })()`)).frames.toFixed(1)} frames/s`, "at least 20 frames/s");
+        }
+    }
     for (const fault of tab.faults)
         show("fault", fault);
-    console.log(`${browserName}, ${verdicts} verdicts of each kind`);
+    console.log(`${await browser.version()}, ${verdicts} verdicts of each kind`);
 } finally {
     await browser.close();
     await host.stop();
