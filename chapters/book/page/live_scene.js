@@ -259,7 +259,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
         await follow();
     }
     // Beside the lesson, or on a phone below the verdict.
-    const narrow = matchMedia("(max-width: 61.99rem)"), place = () => document.querySelector(narrow.matches ? ".exercise" : ".lesson").append(details);
+    const narrow = matchMedia("(max-width: 61.99rem)"), place = () => document.querySelector(narrow.matches ? ".verdict" : ".lesson").append(details);
     narrow.addEventListener("change", place);
     place();
     const open = () => { details.open = true; };
