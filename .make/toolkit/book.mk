@@ -375,7 +375,7 @@ book-compiler: $(BOOK_COMPILER)/sizes.json
 
 # The list of what a cut compiler keeps: what a training enters is added to it, and after another version of
 # @yowasp/clang it begins anew. Wants binaryen, and takes long.
-TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
+TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c \
 	chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c tests/explain/*.c)
 SLIPS ?= 2000
 book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
