@@ -15,7 +15,9 @@ const areStatic = document.documentElement.dataset.figures === "static";
  */
 export function setUpFigures({ site, themeNow, drawer }) {
     const figures = [...document.querySelectorAll(".figure")];
-    const view = fullScreenView({ site, themeNow, figures, drawer });
+    const controls = new Map(); // of the figures that are live
+    let live = () => null;
+    const view = fullScreenView({ site, themeNow, figures, live: (figure) => live(figure) });
     for (const figure of figures) {
         const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Full screen" });
         button.addEventListener("click", () => view.open(figure, button));
@@ -30,12 +32,17 @@ export function setUpFigures({ site, themeNow, drawer }) {
         return answer;
     };
     const follow = numbersFollow({ stem: document.documentElement.dataset.stem, ask: (what) => drawer.ask(what) });
+    live = (figure) => {
+        if (!controls.has(figure))
+            controls.set(figure, liveFigure(figure, { ask: atFirst, themeNow, onDrawn: follow(figure) }));
+        return controls.get(figure);
+    };
     // A figure becomes live when it is nearly in sight, and after the page is there.
     const seen = new IntersectionObserver((entries) => {
         const near = entries.filter((each) => each.isIntersecting);
         for (const { target } of near) {
             seen.unobserve(target);
-            liveFigure(target, { ask: atFirst, themeNow, onDrawn: follow(target) });
+            live(target);
         }
         if (near.length === 0) {
             first.fetched();
@@ -48,39 +55,39 @@ export function setUpFigures({ site, themeNow, drawer }) {
 
 // ---- the full screen: the arrow keys go through the steps of a figure, and on to the next one ----
 
-function fullScreenView({ site, themeNow, figures, drawer }) {
+function fullScreenView({ site, themeNow, figures, live }) {
     const dialog = document.createElement("dialog");
     dialog.className = "full";
     dialog.setAttribute("aria-label", "Figure on the full screen");
-    dialog.innerHTML = `<div class="stage"><img alt=""></div><div class="bar"><p role="status"></p>
+    dialog.innerHTML = `<div class="stage"></div><div class="bar"><p role="status"></p>
 <button type="button" data-go="-1">Back</button><button type="button" data-go="1" class="main">Next</button><button type="button" data-close>Close</button></div>`;
     document.body.append(dialog);
-    const img = dialog.querySelector("img"), status = dialog.querySelector("[role=status]");
-    let at = 0, step = 0, steps = 0, opener = null, shown = 0;
-    const current = () => ({ stem: figures[at].dataset.stem, name: figures[at].dataset.figure });
+    const stage = dialog.querySelector(".stage"), status = dialog.querySelector("[role=status]"), home = document.createComment("");
+    let at = 0, step = 0, steps = 1, opener = null;
 
-    /** The step as the live figure draws it; without it, the committed pictures of the first and the last step. */
-    async function show() {
-        const mine = ++shown, { stem, name } = current();
-        const words = figures[at].querySelector("img")?.alt ?? "";
-        img.alt = words;
-        try {
-            if (areStatic)
-                throw new Error("there is no program");
-            const drawn = await drawer.ask({ do: "figure", stem, name, theme: themeNow(), shape: "16:9", step: step || 1000 });
-            if (mine !== shown)
-                return;
-            steps = drawn.steps;
-            step ||= steps;
-            img.src = `data:image/svg+xml,${encodeURIComponent(drawn.svg)}`;
-            img.alt = drawn.words || words;
-            status.textContent = `${drawn.title ?? ""}${steps > 1 ? `, step ${step} of ${steps}` : ""} (figure ${at + 1} of ${figures.length})`;
-        } catch {
-            if (mine !== shown)
-                return;
+    /** The figure itself is there, so it can be dragged, and keeps its numbers; home marks its place in the page. */
+    function giveBack() {
+        home.replaceWith(...stage.children);
+        stage.replaceChildren();
+    }
+
+    function show() {
+        const figure = figures[at], control = live(figure), drawing = figure.querySelector(".drawing"), place = `(figure ${at + 1} of ${figures.length})`;
+        if (drawing) {
+            giveBack();
+            drawing.replaceWith(home);
+            stage.append(drawing);
+        }
+        if (control) {
+            control.goTo(step || 1000, (drawn) => {
+                steps = drawn?.steps ?? 1;
+                step = Math.min(step || steps, steps);
+                status.textContent = `${drawn?.title ?? ""}${steps > 1 ? `, step ${step} of ${steps}` : ""} ${place}`;
+            });
+        } else { // without programs, the committed picture
+            stage.querySelector("img").src = fileOf(site, figure, themeNow());
             steps = step = 1;
-            img.src = fileOf(site, figures[at], themeNow());
-            status.textContent = `Figure ${at + 1} of ${figures.length}`;
+            status.textContent = place;
         }
     }
 
@@ -104,6 +111,8 @@ function fullScreenView({ site, themeNow, figures, drawer }) {
             dialog.close();
     });
     dialog.addEventListener("keydown", (event) => {
+        if (event.composedPath()[0].localName === "input")
+            return;
         // Presenters send PageUp and PageDown.
         const by = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 }[event.key] ??
             (event.key === " " && event.target.localName !== "button" ? 1 : 0);
@@ -115,11 +124,8 @@ function fullScreenView({ site, themeNow, figures, drawer }) {
     dialog.addEventListener("close", () => {
         if (document.fullscreenElement)
             document.exitFullscreen().catch(() => {});
+        giveBack();
         opener?.focus();
-    });
-    document.addEventListener("theme", () => {
-        if (dialog.open)
-            show();
     });
     return {
         open(figure, button) {
@@ -419,9 +425,9 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
     document.addEventListener("theme", () => redraw());
     redraw();
     return {
-        goTo(wantedStep) {
+        goTo(wantedStep, then) {
             step = wantedStep;
-            redraw();
+            redraw({}, then);
         },
     };
 }

@@ -265,7 +265,8 @@ const figures = stems.flatMap((stem) => readdirSync(join(root, "chapters", stem)
     return { stem, name, file: `chapters/${stem}/${file}`, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
 }));
 const slideOf = (name) => slides.split("<section ").find((each) => each.includes(` data-figure="${name}"`)).match(/ data-name="([^"]*)"/)[1];
-const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || (stem === stems.at(-1) ? Infinity : 0) + Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
+const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || (stem === stems.at(-1) ? 1000 : 0) +
+    Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
 figures.sort((a, b) => placeOf(a) - placeOf(b));
 write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
 <h1>Figures</h1>

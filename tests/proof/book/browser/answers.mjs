@@ -133,9 +133,14 @@ test("a student's answer", async (t) => {
         await figures.press("figcaption button");
         const status = () => figures.text("dialog.full [role=status]");
         const first = await waitFor("a figure", status);
+        await waitFor("what can be dragged, and fields", () => figures.evaluate(() => {
+            const root = document.querySelector("dialog.full .drawing > div")?.shadowRoot;
+            return root?.querySelector(".handle:not([hidden])") && root.querySelector("input");
+        }));
         await waitFor("another step or figure", async () => { await figures.keyboard.press("ArrowRight"); return await status() !== first; });
         await figures.keyboard.press("Escape");
-        await waitFor("the page again", () => figures.$eval("dialog.full", (each) => !each.open));
+        await waitFor("the page again", () => figures.$eval("dialog.full", (each) => !each.open && !each.querySelector(".drawing")));
+        assert.equal(await figures.$$eval(".figure", (all) => all.filter((each) => !each.querySelector(".drawing")).length), 0);
         await figures.close();
     });
 });
