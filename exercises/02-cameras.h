@@ -18,9 +18,9 @@
 // CAMERA_OFF_AXIS: the eye is not straight behind the middle of the rectangle.
 // CAMERA_NO_DISTANCE, CAMERA_NO_WIDTH, CAMERA_NO_HEIGHT: the distance, width or height is 0.
 // CAMERA_NOT_FINITE: a number is infinite or NaN.
-// Edges are equal if they differ by at most CAMERA_TOLERANCE x (width + height); an angle is a right
-// angle if the absolute value of its cosine is at most CAMERA_TOLERANCE. Do not refuse a camera
-// because of rounding.
+// Edges are equal if they differ by at most CAMERA_TOLERANCE x (width + height); an angle is a
+// right angle if the absolute value of its cosine is at most CAMERA_TOLERANCE. Do not refuse a
+// camera because of rounding.
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera);
 
 // "Eye and four points": the points are the corners of the image plane. The same reasons.

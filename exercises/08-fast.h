@@ -19,12 +19,12 @@
 //
 // If ahead is at most -radius, the whole sphere is behind the eye: {0, 0, 0, 0}.
 //
-// If ahead is more than that, but at most radius, the eye is inside the sphere or beside it, and the
-// rectangle is the whole screen.
+// If ahead is more than that, but at most radius, the eye is inside the sphere or beside it, and
+// the rectangle is the whole screen.
 //
-// If ahead is more than radius, the sphere has an outline. If its rectangle does not overlap the screen, the
-// result is {0, 0, 0, 0}. The image plane does not cut anything off: a sphere between the eye and
-// the plane is visible.
+// If ahead is more than radius, the sphere has an outline. If its rectangle does not overlap the
+// screen, the result is {0, 0, 0, 0}. The image plane does not cut anything off: a sphere between
+// the eye and the plane is visible.
 ScreenRectangle sphere_rectangle(Camera camera, Resolution screen, Sphere sphere);
 
 #endif
