@@ -5,8 +5,8 @@ import { moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/sce
 
 const FIRST = "three-spheres", OWN = "your own";
 const SCENES = { [FIRST]: "three spheres", "sphereflake-91": "91 spheres", "sphereflake-820": "820 spheres", sunflower: "a sunflower", finale: "the finale" };
-/** Who casts, besides trace_ray: functions of the exercise whose picture is flat, and chapter 08's engines. */
-const CASTERS = { "06-ray-casting": ["image order", "object order"], "08-fast": ["image order", "object order", "object", "bvh", "packet", "tiles", "bins"] };
+/** Who casts, besides trace_ray: functions of the exercise whose picture is flat, and chapter 08's engines. The first calls the exercise. */
+const CASTERS = { "06-ray-casting": ["image order", "object order"], "08-fast": ["object", "image order", "object order", "bvh", "packet", "tiles", "bins"] };
 const MOST_HANDLES = 9, LONGEST_LINK = 12_000;
 const A_KEY = 0.01; // how far an arrow key moves a thing, in parts of the picture's width
 const KEYS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, -1, 0], ArrowDown: [0, 1, 0], "+": [0, 0, 3], "=": [0, 0, 3], "-": [0, 0, -3] };
@@ -51,7 +51,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     const scenes = element("select"), casters = element("select"), pixelInput = element("input", { placeholder: "160,120", autocomplete: "off" });
     for (const [value, words] of [...Object.entries(SCENES), [OWN, OWN]])
         scenes.append(element("option", { value, textContent: words }));
-    for (const value of ["", ...CASTERS[stem] ?? []])
+    for (const value of [...CASTERS[stem] ?? [], ""])
         casters.append(element("option", { value, textContent: value || "trace_ray" }));
     const written = element("div", { className: "scene-text", hidden: true }), story = element("div", { className: "story", tabIndex: 0, hidden: true });
     story.setAttribute("aria-label", "The story of the pixel");
@@ -248,6 +248,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             begin().catch((reason) => tell(reason.message));
     });
     async function begin() {
+        view.caster = casters.value;
         const given = /^#scene=(.+)/.exec(location.hash), wantedScene = given ? await unpacked(given[1]).catch(() => null) : null;
         await choose(wantedScene?.name in SCENES ? wantedScene.name : FIRST);
         if (wantedScene?.text)
