@@ -123,7 +123,8 @@ static Page page_of(int columns, bool colors)
 {
     free(written);
     written = NULL;
-    return (Page){open_memstream(&written, &written_size), columns, colors, 0};
+    return (Page){
+        .out = open_memstream(&written, &written_size), .columns = columns, .colors = colors};
 }
 
 static void expect_page(Page page, const char *expected)

@@ -169,12 +169,12 @@ const STYLE = `
 .bar button { font: inherit; color: inherit; min-height: 2.1rem; min-width: 2.1rem; padding: 0.15rem 0.6rem; border: 1px solid var(--line, #d0d6dc);
     border-radius: 0.4rem; background: var(--ground, #fff); cursor: pointer; }
 .bar button:disabled { opacity: 0.4; cursor: default; }
-.bar-fields { display: flex; gap: 0.6rem; flex: 1 1 0; min-width: 0; margin: -4px; padding: 4px; overflow-x: auto; scrollbar-width: thin; white-space: nowrap; }
+.bar-fields { display: flex; gap: 0.5rem; flex: 1 1 0; min-width: 0; margin: -4px; padding: 4px; overflow-x: auto; scrollbar-width: thin; white-space: nowrap; }
 .steps { display: flex; align-items: center; gap: 0.4rem; margin-left: auto; }
 label { display: inline-flex; align-items: center; gap: 0.25rem; }
-input { font: inherit; width: 6.4em; min-height: 2.1rem; box-sizing: border-box; padding: 0.1rem 0.4rem; color: inherit; background: var(--ground, #fff);
+input { font: inherit; width: 6.4em; min-height: 2.1rem; box-sizing: border-box; padding: 0.1rem 0.3rem; color: inherit; background: var(--ground, #fff);
     border: 1px solid var(--grey, #626a73); border-radius: 0.3rem; }
-input.short { width: 4em; }
+input.short { width: 3.5em; }
 button:focus-visible, input:focus-visible { outline: 3px solid var(--blue, #0069a8); outline-offset: 1px; }
 .wrong { flex-basis: 100%; margin: 0; color: var(--orange, #b84a00); }
 .wrong:empty { display: none; }
