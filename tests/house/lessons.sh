@@ -29,6 +29,7 @@ for source in chapters/lessons/*.md; do
 done
 # Of whole words, without tables, code, the words of pictures and marks for the page.
 words_of_lessons() {
+    # shellcheck disable=SC2016 # the backticks are of Markdown
     sed '/^```/,/^```$/d; /^|/d; /^!\[/d; s/<!--[^>]*-->//g' chapters/[0-9]*/README.md | wc -w
 }
 check 'the eight lessons have at most 12,500 words' test "$(words_of_lessons)" -le 12500
