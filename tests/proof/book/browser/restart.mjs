@@ -16,7 +16,7 @@ const ENDLESS = `#define A0\n${Array.from({ length: 40 }, (_, i) => `#define A${
 /** Takes memory, and uses it, until there is none. */
 const GREEDY = right.replace(/Roots quadratic_roots\(Quadratic q\)\s*\{/, (start) =>
     `#include <stdlib.h>\n${start}\n    for (int i = 0; i < 1000; i++) {\n        char *p = malloc(1 << 28);\n        p[0] = 1;\n    }\n`);
-const WRONG = right.replace("q.b * q.b - 4", "q.b * q.b + 4"), IS_WRONG = /wrong: quadratic_roots/;
+const WRONG = right.replace("q.b * q.b - 4", "q.b * q.b + 4"), IS_WRONG = /quadratic_roots, not right yet/;
 assert.ok(GREEDY !== right && WRONG !== right);
 
 test("the next answer gets its verdict after a failure", async () => {
@@ -35,7 +35,7 @@ test("the next answer gets its verdict after a failure", async () => {
     await tab.press("#judge");
     release();
     await opening;
-    await verdict(tab, "a click before the page's script", /is not answered yet/);
+    await verdict(tab, "a click before the page's script", /not answered yet/);
 
     await waitForEditor(tab);
     await replaceText(tab, GREEDY, { judge: true });
