@@ -1,6 +1,6 @@
 // image.h - the image: bytes of red, green and blue, and its PNG.
 //
-// Colours are numbers from 0 to 1; a pixel holds them as bytes, round(255 c), with what lies
+// Colors are numbers from 0 to 1; a pixel holds them as bytes, round(255 c), with what lies
 // outside clamped. No gamma.
 #ifndef COMMON_IMAGE_H
 #define COMMON_IMAGE_H
@@ -56,7 +56,7 @@ static inline uint8_t byte_from_color(double c)
     return (uint8_t)(whole + (x - whole >= 0.5));
 }
 
-// Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
+// Colors one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
 
 // From now on, calls a function after each image_set, with the pixel and what the watcher keeps.

@@ -4,7 +4,7 @@
 
 #include "common/image.h"
 
-// Colours every pixel and writes the picture. Returns what main returns: 0, or 1 with the reason
+// Colors every pixel and writes the picture. Returns what main returns: 0, or 1 with the reason
 // on stderr, a blank that was called among them; then nothing is written.
 int picture_write(const char *path, Resolution size, Color (*color)(Pixel pixel, void *given),
                   void *given);

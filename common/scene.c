@@ -171,7 +171,7 @@ static bool read_color(Reader *reader, const double *rgb, Color *color)
 {
     for (int i = 0; i < 3; i++)
         if (!(rgb[i] >= 0 && rgb[i] <= 1))
-            return wrong(reader, "a colour of %g, expected 0 to 1", rgb[i]);
+            return wrong(reader, "a color of %g, expected 0 to 1", rgb[i]);
     *color = vec3_of(rgb[0], rgb[1], rgb[2]);
     return true;
 }
@@ -183,7 +183,7 @@ static bool read_background(Reader *reader)
            read_color(reader, n, &reader->scene->background);
 }
 
-// NFF leaves the brightness of a light without colour to the program. Until all are counted:
+// NFF leaves the brightness of a light without color to the program. Until all are counted:
 static const Color not_said = {-1, -1, -1};
 
 static bool read_light(Reader *reader)
@@ -203,7 +203,7 @@ static bool read_light(Reader *reader)
     return append(reader, &scene->lights, &scene->light_count, &light, sizeof light);
 }
 
-// The more lights without a colour, the darker each of them.
+// The more lights without a color, the darker each of them.
 static void set_brightness(Scene *scene)
 {
     double each = 1 / sqrt(scene->light_count);

@@ -1,9 +1,9 @@
 // scene.h - scenes, read from NFF, Eric Haines' Neutral File Format.
 //
-//   b R G B                       background colour; black if there is no such line
+//   b R G B                       background color; black if there is no such line
 //   v                             viewpoint, then on lines of their own: from X Y Z, at X Y Z,
 //                                 up X Y Z, angle A, hither H, resolution W H
-//   l X Y Z [R G B]               light; without a colour: white times 1 / sqrt(lights)
+//   l X Y Z [R G B]               light; without a color: white times 1 / sqrt(lights)
 //   f R G B Kd Ks Shine T IoR     fill of the spheres that follow; white before the first
 //   s X Y Z R                     sphere
 //   #                             comment, to the end of the line
@@ -39,7 +39,7 @@ typedef struct {
     LightKind kind;
 } Light;
 
-// A fill: the colour, and the numbers that chapter 07 uses with it.
+// A fill: the color, and the numbers that chapter 07 uses with it.
 typedef struct {
     Color color;
     double diffuse, specular, shine;  // Kd, Ks, Shine

@@ -11,7 +11,7 @@ typedef struct {
 } Resolution;
 
 // A pixel: column from the left, row from the top, both from 0. It is a square; its
-// centre represents it.
+// center represents it.
 typedef struct {
     int column, row;
 } Pixel;

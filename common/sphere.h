@@ -7,7 +7,7 @@
 typedef struct {
     vec3 center;
     double radius; // > 0
-    int surface;   // index into the scene's surfaces, which have the colours
+    int surface;   // index into the scene's surfaces, which have the colors
 } Sphere;
 
 #endif

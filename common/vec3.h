@@ -1,6 +1,6 @@
 // vec3.h - the vector algebra of every chapter.
 //
-// A vec3 is a point, a vector or a colour of three doubles. The compiler adds, subtracts and
+// A vec3 is a point, a vector or a color of three doubles. The compiler adds, subtracts and
 // scales it, so the slide's expression is the code:  d * f - w / 2 * r + h / 2 * u
 // Products have names (vec3_dot, vec3_cross); components are v[0], v[1], v[2], not v.x.
 #ifndef COMMON_VEC3_H
@@ -14,7 +14,7 @@
 // Traps:
 // - a fourth double fills the 32 bytes, and is not part of the vector: never compare, hash or
 //   print it;
-// - v * w is the product component by component (good for colours); for v . w write vec3_dot;
+// - v * w is the product component by component (good for colors); for v . w write vec3_dot;
 // - v + 1 compiles, and adds 1 to every component; it is hardly ever what you mean;
 // - v[0] has no address: write  v[0] = x,  never  &v[0].
 // Aligned to 16, as malloc is, so that arrays from malloc hold it.

@@ -18,7 +18,7 @@ Normalized screen_to_normalized(ScreenPoint point, Resolution screen);
 // Returns the point on the screen that has these normalized coordinates.
 ScreenPoint normalized_to_screen(Normalized normalized, Resolution screen);
 
-// Returns the point that stands for a pixel: its centre.
+// Returns the point that stands for a pixel: its center.
 ScreenPoint pixel_center(Pixel pixel);
 
 #endif

@@ -13,7 +13,7 @@
 #include "common/screen.h"
 
 // "Given a pixel position on the screen, find the ray in the camera." Returns the ray from the eye
-// through the centre of the pixel. Its direction may have any length except 0. In the reference
+// through the center of the pixel. Its direction may have any length except 0. In the reference
 // answer, the direction ends on the image plane, so t = 1 is there.
 Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel);
 

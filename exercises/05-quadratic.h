@@ -27,7 +27,7 @@ typedef struct {
 } Roots;
 
 // "Assume sphere is centered at origin (replace p with p - c)": returns the same ray, seen from the
-// centre of the sphere.
+// center of the sphere.
 Ray to_object_coordinates(Ray ray, Sphere sphere);
 
 // "Equation to solve?" It is |p + tv|^2 = r^2 for a ray in object coordinates. Returns its a, b, c

@@ -1,13 +1,13 @@
 // 06-ray-casting.h - exercise 06: the picture.
 //
 // Slides 'Ray casting process' and 'Two ways of rendering a picture'. These functions call your
-// answers of 04 and 05. Colours are flat: a sphere has the colour of its surface (scene_surface in
+// answers of 04 and 05. Colors are flat: a sphere has the color of its surface (scene_surface in
 // scene.h).
 // Tolerance: none. Both orders give the same bytes. Worlds have any size and any number of spheres.
 // Images have any shape, for example one pixel wide.
 //
 // From common/image.h, for both orders:
-//   image_set(image, pixel, color);   colours one pixel of an Image *. The pixel is a Pixel, so
+//   image_set(image, pixel, color);   colors one pixel of an Image *. The pixel is a Pixel, so
 //                                     {column, row}, counted from 0 at the upper left. If the pixel
 //                                     is outside the image, the program ends with a message.
 //   image_index(image, pixel)         returns the number of this pixel, counted from 0, row by row
@@ -26,12 +26,12 @@
 // returns NO_HIT and -1.
 Hit nearest_hit(Ray ray, const Scene *scene);
 
-// Image order: for each pixel on the screen, find the object that colours it. Sets every pixel of
-// the image. If the ray of a pixel hits nothing, the pixel has the colour of the scene's
+// Image order: for each pixel on the screen, find the object that colors it. Sets every pixel of
+// the image. If the ray of a pixel hits nothing, the pixel has the color of the scene's
 // background.
 void cast_image_order(const Scene *scene, Camera camera, Image *image);
 
-// Object order: for each object, find the pixels that it colours. The two loops are swapped.
+// Object order: for each object, find the pixels that it colors. The two loops are swapped.
 // depth has room for one t per pixel, row by row from the top. Before the call it may contain
 // anything; after the call it contains the t of the nearest hit, or NO_HIT.
 void cast_object_order(const Scene *scene, Camera camera, Image *image, double *depth);

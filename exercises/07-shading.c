@@ -1,4 +1,4 @@
-// 07-shading.c - exercise 07: light, and the colour that a surface sends back.
+// 07-shading.c - exercise 07: light, and the color that a surface sends back.
 //
 // Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/07-shading.h. The lesson: chapters/07-shading/README.md.

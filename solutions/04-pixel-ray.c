@@ -10,7 +10,7 @@
 #include "exercises/03-screen.h"
 
 // BEGIN SOLUTION
-// From the pixel to its centre, to (s, t), to the vector from the eye: chapter 03, then chapter 01.
+// From the pixel to its center, to (s, t), to the vector from the eye: chapter 03, then chapter 01.
 // END SOLUTION
 
 Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel)

@@ -10,7 +10,7 @@
 #include "exercises/05-quadratic.h"
 
 // BEGIN SOLUTION
-// Image order: for each pixel its ray, for the ray its nearest hit, for the hit its colour. If you
+// Image order: for each pixel its ray, for the ray its nearest hit, for the hit its color. If you
 // exchange the loops and remember a depth for each pixel, it is object order.
 // END SOLUTION
 

@@ -1,4 +1,4 @@
-// 07-shading.c - exercise 07: light, and the colour that a surface sends back.
+// 07-shading.c - exercise 07: light, and the color that a surface sends back.
 //
 // Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/07-shading.h. The lesson: chapters/07-shading/README.md.
@@ -10,7 +10,7 @@
 #include "exercises/06-ray-casting.h"
 
 // BEGIN SOLUTION
-// The colour is a sum: the ambient light, and for each light that no sphere hides, the diffuse and
+// The color is a sum: the ambient light, and for each light that no sphere hides, the diffuse and
 // the specular light. A mirror asks the same question again, with another ray.
 // END SOLUTION
 

@@ -108,14 +108,14 @@ TEST(pixel_center, column_is_x_and_row_is_y)
 }
 
 // Beyond 16777216 a float cannot represent half a pixel.
-TEST(pixel_center, the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
+TEST(pixel_center, the_center_of_a_pixel_far_out_is_half_a_pixel_on)
 {
     expect_center(20000001, 3, 20000001.5, 3.5);
     expect_center(2, 30000000, 2.5, 30000000.5);
 }
 
 // The first point of a pixel is (column, row); its last points are just before the next pixel.
-TEST(pixel_center, the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
+TEST(pixel_center, the_center_of_any_pixel_is_half_way_to_the_next_pixel)
 {
     for (int i = 0; i < 20; i++) {
         Pixel pixel = random_pixel((Resolution){5000, 5000});
@@ -163,7 +163,7 @@ PROBE(pixel_center, any_pixel)
         pixel_center(random_pixel(screen(i)));
 }
 
-// Beyond 2^24 a float does not hold the centre.
+// Beyond 2^24 a float does not hold the center.
 PROBE(pixel_center, any_pixel_far_out)
 {
     for (int i = 0; i < MANY; i++)

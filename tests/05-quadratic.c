@@ -158,7 +158,7 @@ static Aimed scaled(Aimed aimed, double world, double length)
 
 // ---- to_object_coordinates ----------------------------------------------------------------------
 
-TEST(to_object_coordinates, the_origin_is_seen_from_the_centre_of_the_sphere)
+TEST(to_object_coordinates, the_origin_is_seen_from_the_center_of_the_sphere)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(0, 0, -1)};
     Sphere sphere = sphere_at(4, -1, 1, 2);
@@ -229,7 +229,7 @@ TEST(object_quadratic, c_is_negative_for_a_ray_that_starts_inside)
     expect_object_quadratic(ray, 4, (Quadratic){4, 4, -15}, 1);
 }
 
-// The meaning of the equation: at every t, the point's squared distance from the centre minus the
+// The meaning of the equation: at every t, the point's squared distance from the center minus the
 // squared radius.
 static void expect_value_at(double t, Quadratic q, Ray ray, Sphere sphere)
 {
@@ -254,7 +254,7 @@ TEST(object_quadratic, at_every_t_it_is_the_squared_distance_minus_the_squared_r
     }
 }
 
-// A ray whose angle to the line from its origin to the centre is known, in a world of any size; the
+// A ray whose angle to the line from its origin to the center is known, in a world of any size; the
 // direction is a little longer or shorter than the size of that world. size: of the arguments.
 typedef struct {
     Ray ray; // in object coordinates
@@ -287,7 +287,7 @@ TEST(object_quadratic, an_equation_may_be_of_any_size)
 
 // ---- world_quadratic ----------------------------------------------------------------------------
 
-// From the centre the origin is (1, -2, 3), as in the test of object coordinates.
+// From the center the origin is (1, -2, 3), as in the test of object coordinates.
 TEST(world_quadratic, a_sphere_off_the_origin_of_the_world)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(2, 1, -2)};
@@ -559,7 +559,7 @@ TEST(hit_sphere, the_arrow_of_the_deck_hits_the_near_side_of_the_sphere)
     expect_number(hit_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere()), 3.622, 1e-3);
 }
 
-// By geometry: half a chord before the place of the line that is nearest to the centre.
+// By geometry: half a chord before the place of the line that is nearest to the center.
 TEST(hit_sphere, the_ray_of_the_example_hits_the_near_side_of_the_sphere)
 {
     Ray ray = example_ray();
@@ -594,7 +594,7 @@ TEST(hit_sphere, from_inside_the_exit_is_hit)
     expect_hit(ray, sphere_at(1, 1, 1, 3), 1);
     ray.direction = vec3_of(0, 0, -2);
     expect_hit(ray, sphere_at(1, 1, 1, 3), 2);
-    ray.origin = vec3_of(0, 0, 0); // the centre
+    ray.origin = vec3_of(0, 0, 0); // the center
     expect_hit(ray, unit_sphere(), 0.5);
     for (int i = 0; i < 10; i++) {
         Aimed inside = random_inside();
@@ -774,7 +774,7 @@ EXTRA_TEST(quadratic_roots, nan_has_no_roots)
 // Far away, enormous, tiny. These tests cost no marks.
 
 // (2, 3, 6) and (3, -6, 2) are at right angles and 7 long. With the ray from the origin along the
-// first, and a centre some multiples of it ahead and some multiples of the other to the side, every
+// first, and a center some multiples of it ahead and some multiples of the other to the side, every
 // number is whole: chords come from right-angled triangles with whole sides.
 static Ray whole_ray(void)
 {
@@ -854,7 +854,7 @@ EXTRA_TEST(sphere_roots, world_and_direction_may_both_be_large_or_small)
     }
 }
 
-EXTRA_TEST(sphere_roots, an_enormous_sphere_is_met_from_its_centre)
+EXTRA_TEST(sphere_roots, an_enormous_sphere_is_met_from_its_center)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(1, 0, 0)};
     expect_meetings(ray, sphere_at(1, 2, 3, 1e200), two(-1e200, 1e200), 1e190);

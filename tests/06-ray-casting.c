@@ -12,8 +12,8 @@
 
 #define TOLERANCE 1e-9
 
-// The colours, and the letters that represent them in pictures. No component is 0 or 1, no two of a
-// colour are equal, and one of red is so small that 255 times it is not yet white. No sphere has
+// The colors, and the letters that represent them in pictures. No component is 0 or 1, no two of a
+// color are equal, and one of red is so small that 255 times it is not yet white. No sphere has
 // surface 0, and a sphere seldom has the surface of its own number; but there is a surface 0,
 // black, for answers that confuse the two numbers.
 enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS, SURFACES = 24 };
@@ -75,7 +75,7 @@ static void given_scene(const Scene *scene)
         const Sphere *s = &scene->spheres[i];
         char label[16];
         snprintf(label, sizeof label, "sphere %d", i % 100);
-        given(label, "center %s, radius %s, colour %s", vec3_text(s->center).s,
+        given(label, "center %s, radius %s, color %s", vec3_text(s->center).s,
               number_text(s->radius).s, vec3_text(scene_surface(scene, i)->color).s);
     }
     if (scene->sphere_count > MOST_SHOWN)
@@ -83,7 +83,7 @@ static void given_scene(const Scene *scene)
 }
 
 // Looks along -z, as in NFF; right-handed. The plane is 1 away, and a pixel 1 wide: on it the
-// centres of 5 x 3 pixels are -2 .. 2 by -1 .. 1.
+// centers of 5 x 3 pixels are -2 .. 2 by -1 .. 1.
 static Camera camera_with_pixels_of_1(Resolution size)
 {
     return (Camera){.origin = vec3_of(0, 0, 0),
@@ -137,7 +137,7 @@ static void object_order(const Scene *scene, Camera camera, Image *image)
     free(depth);
 }
 
-// An image in a colour that no scene has, so that an omitted pixel is visible.
+// An image in a color that no scene has, so that an omitted pixel is visible.
 static Image odd_image(Resolution size)
 {
     Image image = image_of(size);
@@ -227,7 +227,7 @@ static int sees(vec3 eye, vec3 direction, Sphere sphere)
 }
 
 // The distance of the sphere in that direction, by the law of cosines in the triangle of the eye,
-// the hit and the centre.
+// the hit and the center.
 static double distance_seen(vec3 eye, vec3 direction, Sphere sphere)
 {
     vec3 center = sphere.center - eye;
@@ -261,7 +261,7 @@ static void random_shells(Camera camera, Sphere *spheres)
     shuffle(SHELLS, spheres);
 }
 
-// The visible one whose centre is nearest; -1 if there is none, -2 if it is doubtful.
+// The visible one whose center is nearest; -1 if there is none, -2 if it is doubtful.
 static int shell_seen(vec3 eye, vec3 direction, int count, const Sphere *spheres)
 {
     int nearest = -1;
@@ -404,8 +404,8 @@ TEST(nearest_hit, the_first_and_the_last_sphere_can_be_hit)
     expect_nearest(along_minus_z(3, 0, 0), &scene, 4, 2);
 }
 
-// The centre of the large one is farther away, its surface is nearer: 10 - 8 against 5 - 1.
-TEST(nearest_hit, the_nearest_surface_counts_and_not_the_nearest_centre)
+// The center of the large one is farther away, its surface is nearer: 10 - 8 against 5 - 1.
+TEST(nearest_hit, the_nearest_surface_counts_and_not_the_nearest_center)
 {
     Sphere spheres[] = {sphere_at(0, 0, -5, 1, RED), sphere_at(0, 0, -10, 8, GREEN)};
     Scene scene = scene_of(2, spheres);
@@ -442,7 +442,7 @@ TEST(nearest_hit, from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere
 static void paints_over_the_old_contents_of_the_image(Cast *cast)
 {
     Scene scene = scene_of(0, NULL);
-    // Neither 1 nor almost 0 is changed by a mistake in the colours.
+    // Neither 1 nor almost 0 is changed by a mistake in the colors.
     scene.background = vec3_of(1, 0.4, 0.002);
     Resolution sizes[] = {{5, 3}, {1, 1}, {1, 2}, {6, 2}};
     const char *pictures[] = {"...............", ".", "..", "............"};
@@ -465,7 +465,7 @@ static void draws_a_sphere_straight_ahead_as_a_disc(Cast *cast)
 }
 IN_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 
-// One sphere in the direction of each coloured pixel, and none is near another. Green is farther
+// One sphere in the direction of each colored pixel, and none is near another. Green is farther
 // away than those before it in the list.
 static void shows_left_and_right_and_up_and_down_where_they_are(Cast *cast)
 {
@@ -492,7 +492,7 @@ static void shows_the_nearer_sphere_in_any_order_of_the_scene(Cast *cast)
 }
 IN_BOTH_ORDERS(shows_the_nearer_sphere_in_any_order_of_the_scene)
 
-static void gives_equal_hits_the_colour_of_the_lower_index(Cast *cast)
+static void gives_equal_hits_the_color_of_the_lower_index(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(0, 0, -10, 8, BLUE), sphere_at(0, 0, -10, 8, RED)};
     expect_drawn(cast, scene_of(2, spheres), (Resolution){3, 3},
@@ -500,16 +500,16 @@ static void gives_equal_hits_the_colour_of_the_lower_index(Cast *cast)
                  "bbb"
                  ".b.");
 }
-IN_BOTH_ORDERS(gives_equal_hits_the_colour_of_the_lower_index)
+IN_BOTH_ORDERS(gives_equal_hits_the_color_of_the_lower_index)
 
-// From the centre of a sphere every pixel is blue, unless another sphere is inside it.
+// From the center of a sphere every pixel is blue, unless another sphere is inside it.
 static void looks_out_from_inside_a_sphere(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(0, 0, 0, 50, BLUE), sphere_at(10, 0, -10, 2, RED)};
     Scene scene = scene_of(2, spheres);
     Resolution size = {4, 1};
     Camera camera = camera_with_pixels_of_1(size);
-    camera.width = 8; // pixels 2 wide: centres at -3, -1, 1, 3
+    camera.width = 8; // pixels 2 wide: centers at -3, -1, 1, 3
     expect_picture(cast, &scene, camera, size, "bbrb");
 }
 IN_BOTH_ORDERS(looks_out_from_inside_a_sphere)
@@ -529,7 +529,7 @@ static void shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye(Ca
 IN_BOTH_ORDERS(shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye)
 
 // The deck's camera: eye (2, 2, -4), plane x 1 to 3, y 1 to 3 at z = 0. Four pixels each way: the
-// centre of the upper left one is (1.25, 2.75, 0), and red is there; green is in the lower row.
+// center of the upper left one is (1.25, 2.75, 0), and red is there; green is in the lower row.
 static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(1.25, 2.75, 0, 0.1, RED), sphere_at(2.25, 1.25, 0, 0.1, GREEN)};
@@ -543,7 +543,7 @@ static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
 IN_BOTH_ORDERS(draws_with_the_left_handed_camera_of_the_deck)
 
 // Seen from z = 400 the rays are nearly along -z. Five pixels each way, 2 wide at z = 0: their
-// centres are -4, -2 .. 4. By hand, as above: on each of them red is in front of green, and green
+// centers are -4, -2 .. 4. By hand, as above: on each of them red is in front of green, and green
 // in front of blue.
 static void draws_the_three_spheres_of_the_deck(Cast *cast)
 {
@@ -583,7 +583,7 @@ IN_BOTH_ORDERS(draws_spheres_one_behind_the_other_as_cones_say)
 
 // ---- object order: its depth, and that image order agrees --------------------------------------
 
-// Red is around the eye, and green behind it. Then the centre of the large one is farther away, but
+// Red is around the eye, and green behind it. Then the center of the large one is farther away, but
 // its surface is nearer: 10 - 8 against 5 - 1.
 TEST(cast_object_order, the_depth_is_that_of_the_nearest_surface_in_front_of_the_eye)
 {
@@ -593,7 +593,7 @@ TEST(cast_object_order, the_depth_is_that_of_the_nearest_surface_in_front_of_the
     expect_depths_of(scene_of(2, large), (Resolution){1, 1}, (double[]){2});
 }
 
-// On the plane, 4 away, the centres of the pixels are -3, 0, 3 each way: directions beside the
+// On the plane, 4 away, the centers of the pixels are -3, 0, 3 each way: directions beside the
 // middle are 5 long. Red is 10 - 1 away, green 20 - 5, blue 15 - 2.5.
 TEST(cast_object_order, the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction)
 {
@@ -624,7 +624,7 @@ TEST(cast_object_order, in_an_empty_scene_every_depth_is_no_hit)
     expect_depths_of(scene_of(0, NULL), (Resolution){2, 2}, expected);
 }
 
-// Spheres that overlap and intersect each other, some twice, in two colours: ties.
+// Spheres that overlap and intersect each other, some twice, in two colors: ties.
 TEST(cast_object_order, both_orders_give_the_same_bytes)
 {
     Resolution size = {24, 17};

@@ -99,7 +99,7 @@ static void put_light(LightKind kind, vec3 position, Color color)
     world.lights[world.scene.light_count++] = light_of(kind, position, color);
 }
 
-// The colours of a surface: kd, ks, shine.
+// The colors of a surface: kd, ks, shine.
 static Surface surface_of(Color color, double diffuse, double specular, double shine)
 {
     return (Surface){.color = color, .diffuse = diffuse, .specular = specular, .shine = shine};
@@ -200,7 +200,7 @@ enum { MOST_SHOWN = 10 };
 
 static void given_light(const char *label, Light light)
 {
-    given(label, "%s %s, colour %s", light.kind == LIGHT_DISTANT ? "distant, towards" : "point, at",
+    given(label, "%s %s, color %s", light.kind == LIGHT_DISTANT ? "distant, towards" : "point, at",
           vec3_text_to(light.position, 10).s, vec3_text(light.color).s);
 }
 
@@ -229,7 +229,7 @@ static void given_spheres(bool with_surfaces)
         char label[24], looks[240] = "";
         snprintf(label, sizeof label, "sphere %d", i % 100);
         if (with_surfaces)
-            snprintf(looks, sizeof looks, ", colour %.60s, kd %.20s, ks %.20s, shine %.20s",
+            snprintf(looks, sizeof looks, ", color %.60s, kd %.20s, ks %.20s, shine %.20s",
                      vec3_text(s->color).s, number_text(s->diffuse).s, number_text(s->specular).s,
                      number_text(s->shine).s);
         given(label, "center %s, radius %s%s", vec3_text_to(sphere->center, 10).s,
@@ -255,7 +255,7 @@ static void expect_visible(vec3 from, Light light, double expected)
     expect_number(visibility(&world.scene, from, light), expected, 0);
 }
 
-// The tolerance of a colour is a part of the light in the scene.
+// The tolerance of a color is a part of the light in the scene.
 static double color_tolerance(void)
 {
     double most = fmax(largest(world.scene.ambient), largest(world.scene.background));
@@ -362,8 +362,8 @@ static Color light_at(Way back, vec3 normal, Light light)
     return (surface->diffuse * cosine * surface->color + highlight) * light.color;
 }
 
-// The colour that a ray sees; false if something is in doubt. A loop: share is that of the next
-// colour that comes through all the mirrors so far.
+// The color that a ray sees; false if something is in doubt. A loop: share is that of the next
+// color that comes through all the mirrors so far.
 static bool trace_by_geometry(Ray ray, int depth, Color *color)
 {
     Way way = {ray.origin, ray.direction, -1, false};
@@ -406,7 +406,7 @@ static bool visibility_by_geometry(vec3 from, Light light, double *visibility)
 // No light is too weak, too low, too far or too bright to count, and no scene too small or too
 // large. An answer with a limit fails at the first rung after it, and that rung names the limit.
 
-// 0.3, 0.03 ... 3e-8 is the smallest that the tolerance of a colour still distinguishes from 0; in
+// 0.3, 0.03 ... 3e-8 is the smallest that the tolerance of a color still distinguishes from 0; in
 // a sum of several terms it is 3e-7.
 enum { SMALL = 8, SMALL_IN_SCENES = 7, RUNGS = 12 };
 
@@ -583,7 +583,7 @@ TEST(ambient_term, in_white_ambient_light_kd_of_the_surface_is_seen)
 }
 
 // By hand: 0.5 * 0.8 * 0.1, 0.5 * 0.5 * 0.2, 0.5 * 0.2 * 0.6.
-TEST(ambient_term, ambient_light_is_multiplied_colour_by_colour)
+TEST(ambient_term, ambient_light_is_multiplied_color_by_color)
 {
     expect_ambient(vec3_of(0.8, 0.5, 0.2), 0.5, vec3_of(0.1, 0.2, 0.6), vec3_of(0.04, 0.05, 0.06));
     expect_ambient(vec3_of(1, 0, 0), 0.5, vec3_of(0, 1, 1), vec3_of(0, 0, 0));
@@ -659,7 +659,7 @@ TEST(diffuse_term, a_light_behind_the_surface_scatters_nothing)
 
 // By hand: (-1, 2, 2) / 3 and (3, 0, 4) / 5 have the cosine (-3 + 8) / 15 = 1 / 3; then 0.6 / 3 is
 // 0.2, times 0.8 * 0.5, 0.5 * 1, 0.2 * 2.
-TEST(diffuse_term, light_is_multiplied_colour_by_colour)
+TEST(diffuse_term, light_is_multiplied_color_by_color)
 {
     expect_diffuse(vec3_of(0.8, 0.5, 0.2), 0.6, vec3_of(0.5, 1, 2), vec3_of(-1, 2, 2) / 3,
                    vec3_of(3, 0, 4), vec3_of(0.08, 0.1, 0.08));
@@ -792,7 +792,7 @@ TEST(phong_term, how_far_light_and_eye_are_does_not_matter)
     }
 }
 
-TEST(phong_term, a_highlight_has_the_colour_of_the_light)
+TEST(phong_term, a_highlight_has_the_color_of_the_light)
 {
     expect_phong(0.5, 2, vec3_of(1, 0.5, 0), straight_up, vec3_of(0, 1, 0), vec3_of(3, 4, 0),
                  vec3_of(0.32, 0.16, 0));
@@ -873,7 +873,7 @@ TEST(halfway_term, only_the_directions_of_light_and_eye_matter)
     }
 }
 
-TEST(halfway_term, this_highlight_also_has_the_colour_of_the_light)
+TEST(halfway_term, this_highlight_also_has_the_color_of_the_light)
 {
     expect_halfway(0.5, 2, vec3_of(1, 0.5, 0), straight_up, vec3_of(0, 1, 0), vec3_of(24, 7, 0),
                    vec3_of(0.32, 0.16, 0));
@@ -973,7 +973,7 @@ TEST_BOTH(close_to_its_middle_a_highlight_is_already_weaker,
 
 static void expect_clamped(Color color, Color clamped)
 {
-    given_vec3("colour", color);
+    given_vec3("color", color);
     expect_vec3(clamp_color(color), clamped, TOLERANCE);
 }
 
@@ -1019,7 +1019,7 @@ TEST(clamp_color, a_number_that_just_fits_stays_and_one_that_just_does_not_is_cl
 
 static void expect_encoded(Color color, double gamma, Color encoded)
 {
-    given_vec3("colour", color);
+    given_vec3("color", color);
     given_number("gamma", gamma);
     expect_vec3(gamma_encode(color, gamma), encoded, TOLERANCE);
 }
@@ -1046,7 +1046,7 @@ TEST(gamma_encode, black_stays_black_and_white_stays_white)
     }
 }
 
-TEST(gamma_encode, the_display_shows_the_colour_that_was_meant)
+TEST(gamma_encode, the_display_shows_the_color_that_was_meant)
 {
     for (int i = 0; i < 20; i++) {
         Color encoded = random_vec3(0.1, 1);
@@ -1067,7 +1067,7 @@ TEST(gamma_encode, any_gamma_is_used_unchanged)
     }
 }
 
-TEST(gamma_encode, a_colour_is_encoded_however_dark_it_is)
+TEST(gamma_encode, a_color_is_encoded_however_dark_it_is)
 {
     for (int i = 0; i < SMALL; i++) {
         double e = small(i);
@@ -1108,7 +1108,7 @@ static Sphere sphere_at_origin(vec3 outward, double radius)
     return sphere_at(-radius * outward, radius);
 }
 
-TEST(offset_from_surface, outside_the_point_moves_away_from_the_centre)
+TEST(offset_from_surface, outside_the_point_moves_away_from_the_center)
 {
     vec3 up = vec3_of(0, 1, 0), back = vec3_of(0, 0, -1), aslant = vec3_of(0.6, 0, 0.8);
     expect_off(sphere_at_origin(up, 1000), vec3_of(0, 0, 0), up, 2000);
@@ -1116,7 +1116,7 @@ TEST(offset_from_surface, outside_the_point_moves_away_from_the_centre)
     expect_off(sphere_at_origin(aslant, 1000), vec3_of(0, 0, 0), aslant, 1800);
 }
 
-TEST(offset_from_surface, inside_the_point_moves_towards_the_centre)
+TEST(offset_from_surface, inside_the_point_moves_towards_the_center)
 {
     vec3 up = vec3_of(0, 1, 0), aslant = vec3_of(0.6, -0.8, 0);
     expect_off(sphere_at_origin(-up, 1000), vec3_of(0, 0, 0), up, 2000);
@@ -1387,7 +1387,7 @@ static Color diffuse(double cosine, Color light)
 }
 
 // What a light adds for an eye straight above: the highlight has the third power of the cosine, and
-// the colour of the light.
+// the color of the light.
 static Color both(double cosine, Color light)
 {
     return diffuse(cosine, light) + 0.4 * cosine * cosine * cosine * light;
@@ -1571,8 +1571,8 @@ TEST(shade, light_of_any_strength_is_scattered_and_mirrored)
 // ---- trace_ray: mirrors, and how deep to look into them -----------------------------------------
 
 // Mirrors on an axis, which send rays to and fro; a mirrored direction with sides 3, 4, 5 and 7,
-// 24, 25. The colour in a mirror must not depend on how far a right answer goes off its surface: so
-// random mirrors face each other on an axis, or their colours are ambient only.
+// 24, 25. The color in a mirror must not depend on how far a right answer goes off its surface: so
+// random mirrors face each other on an axis, or their colors are ambient only.
 
 // On the axis z, on both sides of the origin.
 static void facing_mirrors(double ks, double other_ks)
@@ -1783,7 +1783,7 @@ TEST(trace_ray, light_through_many_mirrors_counts_however_little_it_is)
 
 // ---- probes -------------------------------------------------------------------------------------
 
-// Calls that distinguish the mistakes of exercise 07: colours and lights that are neither grey nor
+// Calls that distinguish the mistakes of exercise 07: colors and lights that are neither grey nor
 // full, lights and eyes on either side of the surface, worlds of several spheres and lights.
 
 enum { MANY = 16 };

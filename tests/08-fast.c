@@ -30,7 +30,7 @@ static Camera oblique_camera(void)
                     .height = 9};
 }
 
-// A sphere whose centre is at this distance to the right, up and ahead.
+// A sphere whose center is at this distance to the right, up and ahead.
 static Sphere sphere_at(Camera c, double right, double up, double ahead, double radius)
 {
     return (Sphere){c.origin + right * c.right + up * c.up + ahead * c.forward, radius, 0};
@@ -124,7 +124,7 @@ TEST(sphere_rectangle, a_sphere_around_the_eye_covers_the_whole_screen)
 }
 
 // The sphere reaches behind the eye, but the eye is outside: the argument is how far ahead the
-// centre is.
+// center is.
 TEST(sphere_rectangle, a_sphere_beside_the_eye_covers_the_whole_screen)
 {
     for (int i = 0; i < 10; i++) {
@@ -176,7 +176,7 @@ static double limited(double x, double most)
     return x < 0 ? 0 : x > most ? most : x;
 }
 
-// Seen along one axis, the angle to the centre and the angle between the centre and the tangents.
+// Seen along one axis, the angle to the center and the angle between the center and the tangents.
 // In numbers of half the screen.
 static void angles(double ahead, double aside, double radius, double half, double edges[2])
 {

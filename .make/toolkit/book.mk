@@ -148,7 +148,7 @@ $(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(fo
 	$(Q)for name in $$(cat $(filter $(WASM)/names/%,$^)); do \
 		$(WASM_CC) $(WASM_LANGUAGE) -DWANTED_$$name='~, ~' -Os -c -o $(@D)/$$name.o $< || exit 1; done
 	$(Q)touch $@
-# The colours that the pictures of the first chapters are given: a picture that page programs can read.
+# The colors that the pictures of the first chapters are given: a picture that page programs can read.
 BOOK_SPHERES := build/wasm/link/spheres.png
 ifneq ($(FROM),)
 $(BOOK_SPHERES): FORCE

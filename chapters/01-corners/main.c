@@ -2,7 +2,7 @@
 //
 // Answers the questions of the slides 'Camera' and 'Finding vectors from the eye to the image
 // plane' step by step, for the lecture's camera or for the user's own. Its picture is the image
-// plane: the colour of each place shows the direction of its vector, and the three answers are
+// plane: the color of each place shows the direction of its vector, and the three answers are
 // white dots.
 #include "chapters/01-corners/figures/figures.h"
 #include "chapters/shared/example.h"

@@ -1,7 +1,7 @@
 // main.c - chapter 03: screen coordinates.
 //
-// Shows the lecture's point on its screen, the corners and pixel centres, normalized and back. Its
-// picture colours each pixel by its own coordinates: red is s, green is t.
+// Shows the lecture's point on its screen, the corners and pixel centers, normalized and back. Its
+// picture colors each pixel by its own coordinates: red is s, green is t.
 #include "chapters/03-screen/figures/figures.h"
 #include "chapters/shared/example.h"
 #include "common/options.h"
@@ -41,12 +41,12 @@ static void show_places(double x, double y, Pixel pixel, Resolution screen)
     show_point("lower right", (ScreenPoint){width, height}, screen);
     show_point("middle", (ScreenPoint){width / 2, height / 2}, screen);
 
-    story_heading("A pixel is a square, and its centre stands for it");
-    printf("  %-16s %-18s %-26s %s\n", "", "centre (x, y)", "normalized (s, t)", "and back");
+    story_heading("A pixel is a square, and its center stands for it");
+    printf("  %-16s %-18s %-26s %s\n", "", "center (x, y)", "normalized (s, t)", "and back");
     show_pixel(pixel, screen);
     show_pixel((Pixel){0, 0}, screen);
     show_pixel((Pixel){screen.width - 1, screen.height - 1}, screen);
-    printf("  No centre is on an edge: s and t are always inside (0, 1).\n");
+    printf("  No center is on an edge: s and t are always inside (0, 1).\n");
 }
 
 static Color color_of_place(Pixel pixel, void *given)

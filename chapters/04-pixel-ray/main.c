@@ -1,7 +1,7 @@
 // main.c - chapter 04: the ray of a pixel.
 //
 // Follows one pixel from its column and row to its ray. Its picture shows the direction of each
-// pixel's ray as a colour: red along x, green along y, blue along z.
+// pixel's ray as a color: red along x, green along y, blue along z.
 #include "chapters/04-pixel-ray/figures/figures.h"
 #include "chapters/shared/example.h"
 #include "common/options.h"
@@ -26,7 +26,7 @@ static void follow(View view, Pixel pixel)
     story_heading("From the pixel to its ray, on %d x %d pixels", view.screen.width,
                   view.screen.height);
     story_line("pixel (column, row)", "(%d, %d)", pixel.column, pixel.row);
-    story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
+    story_line("its center (x, y)", "%s", pair_text(point.x, point.y).s);
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
     story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, view.camera).direction).s);
     story_line("ray: origin", "%s", vec3_text(ray.origin).s);
@@ -63,7 +63,7 @@ int main(int argc, char **argv)
         {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen,
          "size of the screen (the lecture's)"},
         CAMERA_OPTIONS(view.camera),
-        {"picture", 0, "FILE.png", option_string, &picture, "draw the directions as colours"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw the directions as colors"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: the\n"

@@ -48,7 +48,7 @@ static void digits_lost_in_the_world(void)
 // Moves a sphere away from the eye, and prints the near root from a, b, c and from sphere_roots.
 //
 // The ray goes along (2, 3, 6), of length 7. At right angles to it is (6, 2, -3), also of length 7.
-// The ray passes the centre of a sphere of radius 35 at a distance of 21, so it enters the sphere
+// The ray passes the center of a sphere of radius 35 at a distance of 21, so it enters the sphere
 // 28 before the closest point: 4 lengths of the direction.
 static void digits_lost_far_away(void)
 {
@@ -167,7 +167,7 @@ static void tell(Ray ray, Sphere sphere)
     story_heading("The ray and the sphere");
     story_line("origin     p", "%s", vec3_text(ray.origin).s);
     story_line("direction  v", "%s", vec3_text(ray.direction).s);
-    story_line("centre     c", "%s", vec3_text(sphere.center).s);
+    story_line("center     c", "%s", vec3_text(sphere.center).s);
     story_line("radius     r", "%s", number_text(sphere.radius).s);
 
     Ray object_ray = to_object_coordinates(ray, sphere);
@@ -221,7 +221,7 @@ int main(int argc, char **argv)
         {"origin", 'o', "X,Y,Z", option_vec3, &given.ray.origin, "p, the origin of the ray"},
         {"direction", 'd', "X,Y,Z", option_vec3, &given.ray.direction,
          "v, its direction, of any length except 0"},
-        {"center", 'c', "X,Y,Z", option_vec3, &given.sphere.center, "c, the centre of the sphere"},
+        {"center", 'c', "X,Y,Z", option_vec3, &given.sphere.center, "c, the center of the sphere"},
         {"radius", 'r', "R", option_number, &given.sphere.radius, "r, its radius, greater than 0"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw a picture of a sphere instead"},
         FIGURE_OPTIONS(figure),

@@ -1,11 +1,11 @@
-// cast_spheres.c - a picture whose colours are the numbers of spheres, also while it is cast.
+// cast_spheres.c - a picture whose colors are the numbers of spheres, also while it is cast.
 #include "chapters/06-ray-casting/cast_spheres.h"
 
 #include "exercises/06-ray-casting.h"
 
 #include <stdlib.h>
 
-// The bytes of a colour are the digits of a number.
+// The bytes of a color are the digits of a number.
 static Color color_of_number(int number)
 {
     return vec3_of(number >> 16 & 255, number >> 8 & 255, number & 255) / 255;

@@ -10,12 +10,12 @@
 
 #include <stdbool.h>
 
-// Casts the scene in image order with a colour of its own for each sphere, and reads the colours as
+// Casts the scene in image order with a color of its own for each sphere, and reads the colors as
 // numbers: spheres[row * width + column] is the index of the sphere, or -1. False if there is not
 // enough memory.
 bool cast_spheres(const Scene *scene, Camera camera, Resolution size, int *spheres);
 
-// A pixel that was set to the colour of a sphere, or to the background (-1).
+// A pixel that was set to the color of a sphere, or to the background (-1).
 typedef struct {
     Pixel pixel;
     int sphere;

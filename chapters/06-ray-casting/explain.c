@@ -1,4 +1,4 @@
-// explain.c - one pixel from its column and row to its colour, in words and numbers.
+// explain.c - one pixel from its column and row to its color, in words and numbers.
 //
 // Each number comes from the exercise function that computes it. So this explains the picture of
 // the answers that are linked, also if they are wrong.
@@ -40,7 +40,7 @@ static void rank(Ranked *list, int room, int *count, Ranked one)
     ++*count;
 }
 
-// The distance at which the ray passes the centre of a sphere, in radii.
+// The distance at which the ray passes the center of a sphere, in radii.
 static double gap(Ray ray, Sphere sphere)
 {
     vec3 p = sphere.center - ray.origin;
@@ -95,7 +95,7 @@ static Ray the_ray(const Shot *shot)
     story_heading("From the pixel to its ray");
     story_line("pixel (column, row)", "(%d, %d)", shot->pixel.column, shot->pixel.row);
     story_by("pixel_center");
-    story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
+    story_line("its center (x, y)", "%s", pair_text(point.x, point.y).s);
     story_by("screen_to_normalized");
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
     story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, shot->camera).direction).s);
@@ -142,10 +142,10 @@ static void one_sphere(Ray ray, const Scene *scene, int i)
     Sphere sphere = scene->spheres[i];
     Ray moved = to_object_coordinates(ray, sphere);
     Quadratic q = object_quadratic(moved, sphere.radius);
-    printf("  %-3s centre %s, radius %s\n", sphere_name(i).s, vec3_text(sphere.center).s,
+    printf("  %-3s center %s, radius %s\n", sphere_name(i).s, vec3_text(sphere.center).s,
            number_text(sphere.radius).s);
     story_by("to_object_coordinates");
-    story_line("    p - centre", "%s", vec3_text(moved.origin).s);
+    story_line("    p - center", "%s", vec3_text(moved.origin).s);
     story_by("object_quadratic");
     story_line("    a, b, c", "%s, %s, %s", number_text(q.a).s, number_text(q.b).s,
                number_text(q.c).s);
@@ -179,7 +179,7 @@ static Hit the_nearest(Ray ray, const Scene *scene)
     if (count > MOST_TOLD)
         printf("  and %d hits that are farther away\n", count - MOST_TOLD);
     if (count == 0)
-        printf("  There is none: the pixel has the colour of the background.\n");
+        printf("  There is none: the pixel has the color of the background.\n");
     return nearest;
 }
 
@@ -208,7 +208,7 @@ static void the_color(const Shot *shot, Hit nearest)
     uint8_t bytes[3], cast[3];
     for (int i = 0; i < 3; i++)
         bytes[i] = byte_from_color(color[i]);
-    story_heading("The colour");
+    story_heading("The color");
     story_line(label, "%s", vec3_text(color).s);
     story_line("as bytes, round(255 c)", "%d, %d, %d  #%02x%02x%02x", bytes[0], bytes[1], bytes[2],
                bytes[0], bytes[1], bytes[2]);

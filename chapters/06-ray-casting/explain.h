@@ -1,4 +1,4 @@
-// explain.h - one pixel, explained from its column and row to its colour.
+// explain.h - one pixel, explained from its column and row to its color.
 #ifndef CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 #define CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 

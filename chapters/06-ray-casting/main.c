@@ -64,7 +64,7 @@ static void tell(const Drawing *drawing)
     story_camera(drawing->camera);
     story_heading("Its %d spheres", scene->sphere_count);
     for (int i = 0; i < scene->sphere_count && i < 8; i++)
-        printf("  %c  centre %-16s radius %-8s colour %s\n", 'A' + i,
+        printf("  %c  center %-16s radius %-8s color %s\n", 'A' + i,
                vec3_text(scene->spheres[i].center).s, number_text(scene->spheres[i].radius).s,
                vec3_text(scene_surface(scene, i)->color).s);
     sketch(drawing);
@@ -125,11 +125,11 @@ int main(int argc, char **argv)
         {"pixel", 0, "COLUMN,ROW", option_pixel, &question.pixel,
          "the pixel whose ray a figure shows"},
         {"center", 0, "X,Y,Z", option_vec3, &question.center,
-         "another centre for the first sphere of a figure"},
+         "another center for the first sphere of a figure"},
         FIGURE_OPTIONS(question.figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
-                   "Draws a scene in flat colours. Without arguments: the deck's three spheres."};
+                   "Draws a scene in flat colors. Without arguments: the deck's three spheres."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);

@@ -1,7 +1,7 @@
 // sphereflake_nff.c - writes the sphereflake of the Standard Procedural Databases as NFF.
 //
 // The first sphere has radius 1/2. Size factors 2, 3, 4 give 91, 820, 7381 spheres. There is no
-// floor; each generation has its own colour, so that they can be told apart unshaded.
+// floor; each generation has its own color, so that they can be told apart unshaded.
 #include "chapters/shared/sphereflake.h"
 #include "common/options.h"
 

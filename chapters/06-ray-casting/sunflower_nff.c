@@ -2,7 +2,7 @@
 // sunflower.
 //
 // Each sphere is turned by the golden angle from the one before, so that no two are in line. They
-// grow outward, and their colours go once around the wheel.
+// grow outward, and their colors go once around the wheel.
 #include "common/options.h"
 #include "common/vec3.h"
 
@@ -10,7 +10,7 @@
 
 enum { SEEDS = 420 };
 
-// A colour of the wheel, hue from 0 to 1: three cosines a third of a turn apart.
+// A color of the wheel, hue from 0 to 1: three cosines a third of a turn apart.
 static vec3 wheel(double hue)
 {
     vec3 color = vec3_of(0, 0, 0);

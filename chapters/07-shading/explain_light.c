@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The colour that shade returns for one light alone, and a surface with only one of the two terms.
+// The color that shade returns for one light alone, and a surface with only one of the two terms.
 static vec3 one_term(const Scene *scene, Light light, Ray ray, Hit hit, bool diffuse)
 {
     Surface surface = *scene_surface(scene, hit.sphere);
@@ -39,7 +39,7 @@ static vec3 one_term(const Scene *scene, Light light, Ray ray, Hit hit, bool dif
 static void tell_surface(const Scene *scene, int sphere)
 {
     const Surface *surface = scene_surface(scene, sphere);
-    story_line("colour, Kd, Ks, Shine", "%s, %s, %s, %s", vec3_text(surface->color).s,
+    story_line("color, Kd, Ks, Shine", "%s, %s, %s, %s", vec3_text(surface->color).s,
                number_text(surface->diffuse).s, number_text(surface->specular).s,
                number_text(surface->shine).s);
     story_by("ambient_term");
@@ -79,7 +79,7 @@ void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel p
 {
     Ray ray = pixel_ray(camera, screen, pixel);
     Hit hit = nearest_hit(ray, scene);
-    printf("07-shading: light, and the colour that a surface sends back\n");
+    printf("07-shading: light, and the color that a surface sends back\n");
     story_heading("What pixel (%d, %d) sees", pixel.column, pixel.row);
     if (hit.sphere < 0) {
         story_line("nothing", "the background, %s", vec3_text(scene->background).s);

@@ -16,7 +16,7 @@ typedef struct {
     Camera camera;
     Resolution size;
     int depth; // number of mirrors that a ray follows
-    bool flat; // surfaces shine by themselves, in their colour
+    bool flat; // surfaces shine by themselves, in their color
     Text name; // of the scene, for a comment
 } Export;
 

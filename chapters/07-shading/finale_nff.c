@@ -17,7 +17,7 @@ static void print_fill(vec3 color, double diffuse, double specular, double shine
            shine);
 }
 
-// A colour of the wheel, hue from 0 to 1: three cosines a third of a turn apart.
+// A color of the wheel, hue from 0 to 1: three cosines a third of a turn apart.
 static vec3 wheel(double hue)
 {
     vec3 color = vec3_of(0, 0, 0);

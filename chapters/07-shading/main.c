@@ -1,4 +1,4 @@
-// main.c - chapter 07: light, and the colour that a surface sends back.
+// main.c - chapter 07: light, and the color that a surface sends back.
 //
 // Draws a scene with light. Without arguments it draws the deck's closing slide again: three
 // spheres, flat and shaded, side by side.

@@ -1,6 +1,6 @@
 // random_nff.c - writes a scene of random spheres in a cube; their number is an argument.
 //
-// Centres uniform in [-1, 1]^3, radii uniform from 0.2 to 0.6 times the mean distance between
+// Centers uniform in [-1, 1]^3, radii uniform from 0.2 to 0.6 times the mean distance between
 // neighbours, 2 / cbrt(n), so that a ray passes many and hits one. The spheres are the same every
 // time.
 #include "common/options.h"

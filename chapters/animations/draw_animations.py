@@ -21,12 +21,12 @@ from jobs import beside_each_other, end_with_programs, run  # noqa: E402 - found
 TURNS, TURN_SECONDS = 90, 6
 MOST_BYTES = 3000000
 
-# Frames are RGB, and videos have the colours of HDTV. A story rests on its last frame; a turntable does not.
+# Frames are RGB, and videos have the colors of HDTV. A story rests on its last frame; a turntable does not.
 VIDEO = "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p"
 RESTING = f"tpad=stop_mode=clone:stop_duration=2,{VIDEO}"
 HDTV = "-colorspace bt709 -color_primaries bt709 -color_trc bt709"
-# 128 colours, of which flat drawings need few. A turntable has no two equal pixels, so it has fewer pictures, smoothed
-# a little, in so few colours that it has less than 3 MB. Its frames may be PNGs of two kinds, with and without a
+# 128 colors, of which flat drawings need few. A turntable has no two equal pixels, so it has fewer pictures, smoothed
+# a little, in so few colors that it has less than 3 MB. Its frames may be PNGs of two kinds, with and without a
 # palette, so all become RGB.
 IN_COLORS = "split[a][b];[a]palettegen=max_colors={}[p];[b][p]paletteuse=dither=none:diff_mode=rectangle"
 SMALLER = f"scale,format=rgb24,fps=3,median=radius=1,{IN_COLORS}"
@@ -140,7 +140,7 @@ class Animation:
         new.replace(video)
         if video.stat().st_size > MOST_BYTES:
             print(f"{video}: {video.stat().st_size / 1e6:.1f} MB is more than {MOST_BYTES / 1e6:.0f}; fewer frames or "
-                  "colours make it smaller", file=sys.stderr)
+                  "colors make it smaller", file=sys.stderr)
         return ""
 
     def make(self, formats):

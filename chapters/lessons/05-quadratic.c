@@ -30,7 +30,7 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
             digits++;
         fill_text("with_1",
                   "If you use 1 instead of %s, you get\n$t = %s$. That point is %s from the "
-                  "centre: %s the sphere.",
+                  "center: %s the sphere.",
                   number_shown(a).s, number_shown(t).s, number_shown_to(away, digits).s,
                   away < sphere.radius ? "inside" : "outside");
     }

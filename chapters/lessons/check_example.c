@@ -80,11 +80,11 @@ static void check_ray(Ray ray, Sphere sphere)
     double ahead = vec3_dot(to_center, vec3_unit(ray.direction));
     double away = vec3_length(to_center - ahead * vec3_unit(ray.direction));
     if (!(from_center > r))
-        wrong_example("ray-origin is in the sphere: it is %s from the centre, expected more than "
+        wrong_example("ray-origin is in the sphere: it is %s from the center, expected more than "
                       "the radius, %s",
                       number_text(from_center).s, number_text(r).s);
     if (!(away < r))
-        wrong_example("the ray passes the centre at %s, expected less than the radius, %s",
+        wrong_example("the ray passes the center at %s, expected less than the radius, %s",
                       number_text(away).s, number_text(r).s);
     if (!(ahead > 0))
         wrong_example("the sphere is behind ray-origin: turn ray-direction round");

@@ -30,7 +30,7 @@ STYLE = """text { fill: currentColor; font: 24px "DejaVu Sans", Verdana, sans-se
 
 
 def color_names():
-    """The colours of common/figure/plot.gp, by their light values."""
+    """The colors of common/figure/plot.gp, by their light values."""
     with open(os.path.join(os.path.dirname(__file__), "../../common/figure/plot.gp"), encoding="utf-8") as file:
         return {light: name for name, light in re.findall(r'(\w+) = dark \? "#\w+" : "(#\w+)"', file.read())}
 
@@ -62,7 +62,7 @@ def shapes_of(root):
 
 
 def color_of(tag, attributes):
-    """The one colour of a shape; a picture has none."""
+    """The one color of a shape; a picture has none."""
     if tag in ("rect", "polygon", "text"):
         return hexadecimal(attributes["fill"])
     if tag == "image":
@@ -100,7 +100,7 @@ def content_of(text):
 
 
 def without_color(tag, attributes, element):
-    """What is drawn, besides its colour: the kind of line or area, attributes, and what is inside."""
+    """What is drawn, besides its color: the kind of line or area, attributes, and what is inside."""
     kind, shown, content = "", {}, ""
     if tag == "path":
         kind = "line"
@@ -143,13 +143,13 @@ def in_tag(attributes):
 
 
 def svg_for_both(light, dark, title=None, words=None):
-    """One SVG of a drawing in light and in dark colours: an element a line, its colours as classes."""
+    """One SVG of a drawing in light and in dark colors: an element a line, its colors as classes."""
     root, dark_root = ElementTree.fromstring(light), ElementTree.fromstring(dark)
     names, classes, used, lines = color_names(), {}, [], []
     for shape, dark_shape in zip_longest(shapes_of(root), shapes_of(dark_root)):
         kind, attributes, content = without_color(*shape)
         if dark_shape is None or (kind, attributes, content) != without_color(*dark_shape):
-            raise ValueError("light and dark differ in more than colours")
+            raise ValueError("light and dark differ in more than colors")
         if "d" not in attributes and shape[0] == "path":
             continue
         colors = color_of(*shape[:2]), color_of(*dark_shape[:2])

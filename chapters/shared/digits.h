@@ -6,7 +6,7 @@
 #include "common/screen.h"
 #include "exercises/05-quadratic.h"
 
-// Of (s, t): a point on a screen and the centre of its pixel are two places.
+// Of (s, t): a point on a screen and the center of its pixel are two places.
 int place_digits(Resolution screen);
 
 // Of a, b and c: those that are shown give b^2 - 4ac, to a hundredth of it.

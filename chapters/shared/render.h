@@ -19,10 +19,10 @@ typedef struct {
 // The part of the light that is drawn. One term alone shows its contribution.
 typedef enum { TERM_ALL, TERM_AMBIENT, TERM_DIFFUSE, TERM_SPECULAR, TERM_FLAT } Term;
 
-// Removes all terms except one from a scene. Flat: surfaces shine by themselves, in their colour.
+// Removes all terms except one from a scene. Flat: surfaces shine by themselves, in their color.
 void keep_term(Scene *scene, Term term);
 
-// The colour that the ray of a sample sees in a world, computed by trace_ray or in another way. A
+// The color that the ray of a sample sees in a world, computed by trace_ray or in another way. A
 // sample is a pixel of a finer screen.
 typedef Color Tracer(void *world, Pixel sample, Ray ray, int depth);
 
@@ -34,7 +34,7 @@ typedef struct {
     Tracer *trace;
 } Rendering;
 
-// The colour of one pixel.
+// The color of one pixel.
 Color render_pixel(const Rendering *rendering, void *world, Pixel pixel);
 
 // By trace_ray: the world is a scene.

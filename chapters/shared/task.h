@@ -8,7 +8,7 @@
 #include "common/ray.h"
 #include "common/screen.h"
 
-// The colour of one pixel. drawing holds the camera, the scene and the image with its size.
+// The color of one pixel. drawing holds the camera, the scene and the image with its size.
 typedef Color TaskColor(const Drawing *drawing, Pixel pixel);
 
 typedef struct {
@@ -30,7 +30,7 @@ int task_run(int argc, char **argv, Task task);
 // shape of the screen.
 Camera room_camera(Resolution screen);
 
-// The colour that a ray sees if it starts inside the room.
+// The color that a ray sees if it starts inside the room.
 Color room_color(Ray ray);
 
 #endif

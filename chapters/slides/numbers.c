@@ -94,7 +94,7 @@ static void screen_and_pixel(Camera c, Resolution screen, ScreenPoint point, Pix
     fill_text("point", "%s", pair_shown(point.x, point.y).s);
     fill_number("x", point.x);
     fill_number("y", point.y);
-    // A point, and the centre of its pixel: on a large screen they differ only in later digits.
+    // A point, and the center of its pixel: on a large screen they differ only in later digits.
     Normalized of_point = screen_to_normalized(point, screen),
                of_pixel = screen_to_normalized(pixel_center(pixel), screen);
     int across = digits_to_tell(of_point.s, of_pixel.s),

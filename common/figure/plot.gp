@@ -5,7 +5,7 @@
 #
 # Settings for -e: format svg, pdf, png, tex (cairolatex) or txt (the figure in words); theme
 # light or dark; shape 16:9 or 4:3; step (what is drawn up to there); output (the file, without its
-# ending); background (a colour).
+# ending); background (a color).
 if (!exists("format")) format = "svg"
 if (!exists("theme")) theme = "light"
 if (!exists("shape")) shape = "16:9"
@@ -26,7 +26,7 @@ if (GPVAL_VERSION >= 6) eval "set warnings"
 set minussign
 set macros
 
-# ---- theme: each colour has a contrast of 4.5 or more on its background --------------------------
+# ---- theme: each color has a contrast of 4.5 or more on its background --------------------------
 
 dark = theme eq "dark"
 if (!exists("background")) background = dark ? "#16191d" : "#ffffff"

@@ -42,7 +42,7 @@ static bool print_picture(FILE *out, const char *name, const Image *image)
     return done;
 }
 
-// ---- mean colours -----------------------------------------------------------------------------
+// ---- mean colors -----------------------------------------------------------------------------
 
 typedef struct {
     double rgb[PARTS * PARTS][3];

@@ -22,7 +22,7 @@ array order[100]
 letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
 ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))
 
-# Colours: how bright; and with some of black (k < 0) or white mixed in.
+# Colors: how bright; and with some of black (k < 0) or white mixed in.
 linear(byte) = (byte / 255.0) ** 2.2
 bright(rgb) = 0.2126 * linear(rgb / 65536) + 0.7152 * linear(rgb / 256 % 256) + 0.0722 * linear(rgb % 256)
 mixed(byte, k) = int(byte + abs(k) * ((k < 0 ? 0 : 255) - byte) + 0.5)

@@ -1,4 +1,4 @@
-// 03-mosaic.c - a picture as a mosaic: every tile has one colour.
+// 03-mosaic.c - a picture as a mosaic: every tile has one color.
 //
 // Optional, after chapter 03. After each change: make optional TASK=mosaic
 #include "chapters/shared/task.h"

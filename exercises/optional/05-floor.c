@@ -23,7 +23,7 @@ static double hit_plane(Ray ray, Plane plane)
     // END SOLUTION
 }
 
-// The colour of the floor at a point of it: squares of 2 x 2 in the axes x and z, with a corner at
+// The color of the floor at a point of it: squares of 2 x 2 in the axes x and z, with a corner at
 // (0, -3, 0). The square from there towards positive x and z is light, and its neighbours are dark.
 static Color checkered(vec3 point, Color light, Color dark)
 {

@@ -9,7 +9,7 @@
 
 static vec3 radii = {3.2, 1.5, 2, 0};
 
-// The smallest t > 0 at which the ray meets the ellipsoid, or NO_HIT. It has this centre and the
+// The smallest t > 0 at which the ray meets the ellipsoid, or NO_HIT. It has this center and the
 // radius radii[0] along x, radii[1] along y and radii[2] along z. Your hit_sphere can find it: in a
 // world whose lengths along each axis are divided by that radius, it is a sphere of radius 1.
 static double hit_ellipsoid(Ray ray, vec3 center)
@@ -24,7 +24,7 @@ static double hit_ellipsoid(Ray ray, vec3 center)
     // END SOLUTION
 }
 
-// Rings of colour, lighter where the surface faces up. A normal is squeezed the other way.
+// Rings of color, lighter where the surface faces up. A normal is squeezed the other way.
 static Color color_at(vec3 point, vec3 middle)
 {
     vec3 out = point - middle;

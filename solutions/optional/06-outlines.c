@@ -1,4 +1,4 @@
-// 06-outlines.c - a picture as in a comic: flat colours with black outlines.
+// 06-outlines.c - a picture as in a comic: flat colors with black outlines.
 //
 // Optional, after chapter 06. After each change: make optional TASK=outlines
 #include "chapters/shared/task.h"

@@ -9,7 +9,7 @@
 
 static double half_distance = 14;
 
-// Returns the colour that the eye sees if light of this colour goes this length through the fog.
+// Returns the color that the eye sees if light of this color goes this length through the fog.
 // After each 'half_distance', half of the light that is left is lost, and fog replaces it.
 static Color seen_through_fog(Color color, Color fog, double length)
 {

@@ -89,7 +89,7 @@ SIDES("C-side", "d f - w/2 r", "d f + w/2 r",
 SIDES("C-int", "d f", "d f",
       "only the vector to the middle is left. In C, 1 / 2 is an integer division, and its result "
       "is 0.",
-      "one flat colour", steps(c, ahead, 1 / 2 * side * c.width, 1 / 2 * c.height))
+      "one flat color", steps(c, ahead, 1 / 2 * side * c.width, 1 / 2 * c.height))
 
 // ---- wrong upper corners: a step in the wrong direction, or from the wrong point ----------------
 

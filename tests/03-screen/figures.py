@@ -76,24 +76,24 @@ def pixel_grid(size, pixel, options):
     for left, height in (panel(*low), panel(*high)):
         checks.that("the part is on the canvas", 0 < left < 960 and 0 < height < 464, f"{left}, {height}")
     x, y, s, t = column + 0.5, row + 0.5, (2 * column + 1) / (2 * across), (2 * down - 2 * row - 1) / (2 * down)
-    checks.same("the centre's data", figure.block("center"), [[x, y]])
+    checks.same("the center's data", figure.block("center"), [[x, y]])
     checks.same("the place's data", figure.block("place"), [[s, t]])
     middle = on_screen(panel, x, y)
-    checks.near("the centre", figure.dots("center"), middle, DOT)
-    checks.near("every centre", sorted(figure.dots("centers")),
+    checks.near("the center", figure.dots("center"), middle, DOT)
+    checks.near("every center", sorted(figure.dots("centers")),
                 sorted(on_screen(panel, i + 0.5, j + 0.5) for i in seen[0] for j in seen[1]), DOT)
     square = [on_screen(panel, column + i, row + j) for i, j in ((0, 1), (1, 1), (1, 0), (0, 0), (0, 1))]
     checks.near("the pixel's outline", figure.line("pixel, outline"), square)
-    # The centre's s and t are straight below and beside it.
+    # The center's s and t are straight below and beside it.
     lower, side = panel(0, low[1])[1] - 12, panel(high[0], 0)[0] + 12
-    checks.near("from the centre to its s", figure.line("to s"), [middle, (middle[0], lower)])
-    checks.near("from the centre to its t", figure.line("to t"), [middle, (side, middle[1])])
+    checks.near("from the center to its s", figure.line("to s"), [middle, (middle[0], lower)])
+    checks.near("from the center to its t", figure.line("to t"), [middle, (side, middle[1])])
     checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
     checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
     digits = place_digits(across, down)
     checks.shows(figure, f"pixel {shown_vector((column, row))}", f"center {shown_vector((x, y))}", f"s = ({column} + ½)/{across}",
                  f"t = 1 − ({row} + ½)/{down}", f"= {shown(s, digits)}", f"= {shown(t, digits)}")
-    if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
+    if whole:  # 0 and 1 are s and t of the edges, if the center's own number leaves room for them
         left, bottom = panel(0, -down)
         right, top = panel(across, 0)
         for text, far_off, at in (("0", s * across, {"x": left}), ("1", (1 - s) * across, {"x": right}),

@@ -51,7 +51,7 @@ LAW(normalized_to_screen)
     }
 }
 
-// The centre lies inside the pixel, and as far from one side as from the other. Says so if it does
+// The center lies inside the pixel, and as far from one side as from the other. Says so if it does
 // not.
 static bool off_center(double yours, int number, const char *letter, const char *kind)
 {
@@ -64,7 +64,7 @@ static bool off_center(double yours, int number, const char *letter, const char 
     if (!far_from(before, behind, 0))
         return false;
     Apart a = apart(before, behind);
-    law_broken("your %s is %s after the start of %s %d and %s before its end; a centre is as far "
+    law_broken("your %s is %s after the start of %s %d and %s before its end; a center is as far "
                "from both",
                letter, a.yours.s, kind, number, a.right.s);
     return true;

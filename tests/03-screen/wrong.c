@@ -44,7 +44,7 @@ PLACE("N1", "(x/W, y/H)",
       "upside down", x / W, y / H)
 PLACE("N2", "x/W and y/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0 for every point on the screen.",
-      "one flat colour", (int)x / W, 1 - (int)y / H)
+      "one flat color", (int)x / W, 1 - (int)y / H)
 PLACE("N3", "(x/(W - 1), 1 - y/(H - 1))", EDGES,
       "everything slightly too small; on a single pixel, nothing", x / (W - 1), 1 - y / (H - 1))
 PLACE("N4", "s from y, t from x", "s goes across, as x does, and t goes up. Here they are swapped.",
@@ -94,7 +94,7 @@ PLACE("N-floor", "x and y truncated to integers",
       "a point may lie anywhere in a pixel. Here all points of a pixel have become its corner.",
       "half a pixel off", floor(x) / W, 1 - floor(y) / H)
 PLACE("N-half", "((x + 1/2)/W, 1 - (y + 1/2)/H)",
-      "half a pixel is the way from a pixel to its centre, and this is a point already.",
+      "half a pixel is the way from a pixel to its center, and this is a point already.",
       "half a pixel off: added twice", (x + 0.5) / W, 1 - (y + 0.5) / H)
 PLACE("N-half-less", "((x - 1/2)/W, 1 - (y - 1/2)/H)",
       "0 is at the edge of the screen, and a point is counted from there already.",
@@ -113,7 +113,7 @@ PLACE("N-over", "(W/x, 1 - H/y)",
       "nothing recognisable", W / x, 1 - H / y)
 PLACE("N-pixels", "(x, H - y)",
       "reversed, but still in pixels. s and t are fractions of the screen, without a unit.",
-      "one flat colour: after the first pixel the rays leave the view", x, H - y)
+      "one flat color: after the first pixel the rays leave the view", x, H - y)
 
 // ---- wrong conversions from normalized coordinates to the point of the screen -------------------
 
@@ -177,11 +177,11 @@ POINT("B-round", "x and y rounded to whole pixels",
       "a point may lie anywhere between whole numbers.", "up to half a pixel off",
       .x = round(s * W), .y = round((1 - t) * H))
 POINT("B-half", "half a pixel less",
-      "half a pixel is the way from a pixel's corner to its centre. This point is exactly where s "
+      "half a pixel is the way from a pixel's corner to its center. This point is exactly where s "
       "and t say.",
       "half a pixel off, to the left and upward", .x = s * W - 0.5, .y = (1 - t) * H - 0.5)
 POINT("B-half-more", "half a pixel more",
-      "half a pixel is the way from a pixel's corner to its centre. This point is exactly where s "
+      "half a pixel is the way from a pixel's corner to its center. This point is exactly where s "
       "and t say.",
       "half a pixel off, to the right and downward", .x = s * W + 0.5, .y = (1 - t) * H + 0.5)
 POINT("B-clamp", "x and y limited to the screen",
@@ -192,7 +192,7 @@ POINT("B-divide", "(s/W, (1 - t)/H)",
       "this is the other direction. A fraction becomes pixels when you multiply it by the whole.",
       "every point in the upper left pixel", .x = s / W, .y = (1 - t) / H)
 
-// ---- wrong centres of pixels --------------------------------------------------------------------
+// ---- wrong centers of pixels --------------------------------------------------------------------
 
 CENTER("M-corner", "(column, row)",
        "this is the pixel's upper left corner, which it shares with three other pixels. If your "
@@ -206,15 +206,15 @@ CENTER("M-swap", "(row + 1/2, column + 1/2)",
        "mirrored in the diagonal: rows become columns", row + 0.5, column + 0.5)
 CENTER("M-back", "(column - 1/2, row - 1/2)",
        "the pixel's square starts at (column, row) and extends right and down from there. This is "
-       "the centre of another pixel.",
+       "the center of another pixel.",
        "a whole pixel off, to the left and upward", column - 0.5, row - 0.5)
 CENTER("M-up", "(column + 1/2, row - 1/2)",
-       "y grows downward, and the square extends down from its row. This is the centre of the "
+       "y grows downward, and the square extends down from its row. This is the center of the "
        "pixel above.",
        "a pixel too high", column + 0.5, row - 0.5)
 CENTER(
     "M-left", "(column - 1/2, row + 1/2)",
-    "the square extends to the right from its column. This is the centre of the pixel on the left.",
+    "the square extends to the right from its column. This is the center of the pixel on the left.",
     "a pixel too far left", column - 0.5, row + 0.5)
 CENTER("M-column", "(column + 1/2, row)",
        "this is the middle of the pixel's upper edge. A row also has a height: add half of it.",
@@ -227,7 +227,7 @@ CENTER("M-average", "((column + 1)/2, (row + 1)/2)",
        "only the upper left quarter of the view, at twice its size", (column + 1) / 2.0,
        (row + 1) / 2.0)
 CENTER("M-times", "(column/2, row/2)",
-       "this is half way from the corner of the screen to the pixel. The centre is half a pixel "
+       "this is half way from the corner of the screen to the pixel. The center is half a pixel "
        "away from the pixel's own corner.",
        "only the upper left quarter of the view, at twice its size", 0.5 * column, 0.5 * row)
 CENTER("M-double", "(2 column + 1, 2 row + 1)",
@@ -245,10 +245,10 @@ CENTER("M-down", "(column + 1/2, -(row + 1/2))",
 PLACE("N3-x", "x/(W - 1)", EDGES, "everything slightly too wide", x / (W - 1), 1 - y / H)
 PLACE("N3-y", "y/(H - 1)", EDGES, "everything slightly too high", x / W, 1 - y / (H - 1))
 PLACE("N-half-x", "(x + 1/2)/W",
-      "x is a point already: add nothing to it. Pixels have centres; pixel_center is for them.",
+      "x is a point already: add nothing to it. Pixels have centers; pixel_center is for them.",
       "half a pixel off, sideways", (x + 0.5) / W, 1 - y / H)
 PLACE("N-half-y", "1 - (y + 1/2)/H",
-      "y is a point already: add nothing to it. Pixels have centres; pixel_center is for them.",
+      "y is a point already: add nothing to it. Pixels have centers; pixel_center is for them.",
       "half a pixel off, up or down", x / W, 1 - (y + 0.5) / H)
 PLACE("N2-x", "(int)x/W",
       "in C, 300 / 640 is an integer division, and its result is 0. Your y is right.",

@@ -37,10 +37,10 @@ def lens_and_screen(figure, size, pixel):
     for title, panel, a in (("half across", lens, (column, -y)), ("half down", lens, (x, -row)),
                             ("x of the center", screen, (0, -y)), ("y of the center", screen, (x, 0))):
         checks.stroke(figure, title, panel(*a), panel(x, -y))
-    checks.same("the centre's data", figure.block("center"), [[x, y]])
+    checks.same("the center's data", figure.block("center"), [[x, y]])
     checks.that("they are side by side", lens(column + 1, 0)[0] < screen(0, 0)[0])
-    checks.near("the centre under the lens", figure.dots("center under the lens"), lens(x, -y), DOT)
-    checks.near("the centre", figure.dots("center"), screen(x, -y), DOT)
+    checks.near("the center under the lens", figure.dots("center under the lens"), lens(x, -y), DOT)
+    checks.near("the center", figure.dots("center"), screen(x, -y), DOT)
 
 
 def unit_square(figure, s, t):

@@ -52,7 +52,7 @@ RIGHT(pixel_ray, "from the upper left corner, pixel by pixel")
     return (Ray){camera.origin, direction};
 }
 
-// Twice the vector to the centre is the sum of the vectors to two opposite corners of the pixel.
+// Twice the vector to the center is the sum of the vectors to two opposite corners of the pixel.
 RIGHT(pixel_ray, "between two corners of the pixel")
 {
     ScreenPoint corner = {pixel.column, pixel.row}, opposite = {corner.x + 1, corner.y + 1};

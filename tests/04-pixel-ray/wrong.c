@@ -23,7 +23,7 @@ static vec3 rounded_to_float(vec3 v)
     return vec3_of((float)v[0], (float)v[1], (float)v[2]);
 }
 
-// Through another place of the plane; in the letters of the lesson, with (x, y) the pixel's centre.
+// Through another place of the plane; in the letters of the lesson, with (x, y) the pixel's center.
 #define PLACE(id, formula, why, picture, across, upward)                                           \
     WRONG(pixel_ray, id, formula, why, picture)                                                    \
     {                                                                                              \
@@ -60,17 +60,17 @@ static vec3 rounded_to_float(vec3 v)
 
 POINT("P1", "through (column, row)",
       "this is the pixel's corner, which it shares with three other pixels. The ray must go "
-      "through the pixel's centre.",
+      "through the pixel's center.",
       "half a pixel off", column, row)
 POINT("P2", "through (column + 1, row + 1)",
       "half a pixel is added twice, which leads to the opposite corner. One of your functions adds "
       "it already.",
       "half a pixel off the other way", column + 1, row + 1)
 POINT("P-back", "through (column - 1/2, row - 1/2)",
-      "a pixel extends right and down from its corner. This is the centre of another pixel.",
+      "a pixel extends right and down from its corner. This is the center of another pixel.",
       "a whole pixel off, to the left and upward", column - 0.5, row - 0.5)
 POINT("P-up", "through (column + 1/2, row - 1/2)",
-      "rows are counted downward. This is the centre of the pixel above.", "a pixel too high", x,
+      "rows are counted downward. This is the center of the pixel above.", "a pixel too high", x,
       row - 0.5)
 POINT("P-column", "through (column + 1/2, row)",
       "this is the middle of the pixel's upper edge. A row also has a height: add half of it.",
@@ -79,7 +79,7 @@ POINT("P-row", "through (column, row + 1/2)",
       "this is the middle of the pixel's left side. A column also has a width: add half of it.",
       "half a pixel off, to the left", column, y)
 POINT("P-last", "through (column, row + 1)",
-      "t = (H - 1 - row)/H gives this: the pixel's lower left corner and not its centre.",
+      "t = (H - 1 - row)/H gives this: the pixel's lower left corner and not its center.",
       "half a pixel off, to the left and downward", column, row + 1)
 POINT("P4", "row across, column down",
       "columns are counted across and rows down. Here they are swapped.",
@@ -101,15 +101,15 @@ PLACE("P-smaller", "the smaller of W and H for both",
       "right on a square screen; if not square, out of shape and shifted", x / fmin(W, H),
       1 - y / fmin(W, H))
 PLACE("P-less", "column/(W - 1) and row/(H - 1)",
-      "this puts the outermost centres onto the edges of the plane. They lie half a pixel inside.",
+      "this puts the outermost centers onto the edges of the plane. They lie half a pixel inside.",
       "everything slightly too small; on a single pixel, nothing", column / (W - 1.0),
       1 - row / (H - 1.0))
 PLACE("P-less-x", "column/(W - 1)",
-      "this puts the outermost centres onto the left and right edges of the plane. They lie half a "
+      "this puts the outermost centers onto the left and right edges of the plane. They lie half a "
       "pixel inside.",
       "everything slightly too narrow; in a single column, nothing", column / (W - 1.0), t)
 PLACE("P-less-y", "row/(H - 1)",
-      "this puts the outermost centres onto the top and bottom edges of the plane. They lie half a "
+      "this puts the outermost centers onto the top and bottom edges of the plane. They lie half a "
       "pixel inside.",
       "everything slightly too low; in a single row, nothing", s, 1 - row / (H - 1.0))
 PLACE("P-less-half", "x/(W - 1) and y/(H - 1)",
@@ -118,14 +118,14 @@ PLACE("P-less-half", "x/(W - 1) and y/(H - 1)",
       "everything slightly too small; on a single pixel, nothing", x / (W - 1), 1 - y / (H - 1))
 PLACE("P-pixels", "x and y for s and t",
       "these are pixels; the camera needs fractions of the screen, counted from the lower left.",
-      "one flat colour: after the first pixel the rays leave the view", x, y)
+      "one flat color: after the first pixel the rays leave the view", x, y)
 PLACE("P-raw", "s = column, t = row",
       "these count pixels; the camera needs fractions of the screen, counted from the lower left.",
-      "one flat colour: after the first pixel the rays leave the view", column, row)
+      "one flat color: after the first pixel the rays leave the view", column, row)
 PLACE("P-whole", "column/W and row/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0, so every ray goes to the same "
       "corner.",
-      "one flat colour", column / W, 1 - row / H)
+      "one flat color", column / W, 1 - row / H)
 PLACE("P-whole-x", "column/W in integers",
       "in C, 300 / 640 is an integer division: its result is 0, so the rays of all columns go to "
       "the left edge.",
@@ -137,16 +137,16 @@ PLACE("P-whole-y", "row/H in integers",
 PLACE("P-whole-down", "s = column/W, t = row/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0, so every ray goes to the same "
       "corner. And rows are counted downward, t upward.",
-      "one flat colour", column / W, row / H)
+      "one flat color", column / W, row / H)
 PLACE("P-whole-turned", "s = column/W, t = (H - row)/H in integers",
       "in C, 300 / 640 is an integer division: its result is 0, so all rays except those of row 0 "
       "go to the same corner.",
-      "one flat colour, another in the first row", column / W, (H - row) / H)
+      "one flat color, another in the first row", column / W, (H - row) / H)
 PLACE("P-down", "t = y/H",
       "rows are counted downward and t upward. This is the fraction of the way down.",
       "upside down", x / W, y / H)
 PLACE("P-down-corner", "s = column/W, t = row/H",
-      "rows are counted downward and t upward; and this is the pixel's corner, not its centre.",
+      "rows are counted downward and t upward; and this is the pixel's corner, not its center.",
       "upside down, and half a pixel off", (double)column / W, (double)row / H)
 PLACE("P-thin", "straight ahead if W or H is 1",
       "a single column still has as many rows as the screen is high, and each has its own place. "

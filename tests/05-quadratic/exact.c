@@ -1,6 +1,6 @@
 // exact.c - exercise 05 with roots that keep all their digits, for the judge, the programs and the
 // engines: no difference of nearly equal numbers, and for the sphere a discriminant computed at the
-// point of the ray that is closest to the centre. solutions/05-quadratic.c has the slide's
+// point of the ray that is closest to the center. solutions/05-quadratic.c has the slide's
 // formulas; they pass all graded tests, but not the extra ones about digits. 'Losing digits' in the
 // lesson.
 #include "exercises/05-quadratic.h"
@@ -85,7 +85,7 @@ Roots quadratic_roots(Quadratic q)
 }
 
 // Where the line p + tv meets a sphere of radius r around the origin. The line is closest to the
-// centre at t = -p.v / v.v. Its distance is l there, so half the chord is sqrt(r^2 - l^2) long.
+// center at t = -p.v / v.v. Its distance is l there, so half the chord is sqrt(r^2 - l^2) long.
 // Written as (r - l)(r + l), no digits cancel, however far away p is.
 static Roots roots_near_origin(vec3 p, vec3 v, double r)
 {

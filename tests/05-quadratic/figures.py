@@ -1,6 +1,6 @@
 """figures.py - the figures of chapter 05 are right.
 
-The points where a line meets a sphere are computed without a quadratic: the centre is projected on
+The points where a line meets a sphere are computed without a quadratic: the center is projected on
 the line, the rest is Pythagoras. The drawn sphere gives the scale and the place of everything else.
 """
 import math
@@ -325,7 +325,7 @@ checks.same("the deck's first hit", [deck.hit], [3.621514], within=1e-6)
 for title in ("ray-sphere", "parabola", "discriminant", "world-object", "geometric-roots"):
     holds_for_every(checks, P, title)
 
-# Miss, tangent, inside, behind, through the centre, far away: each with its words.
+# Miss, tangent, inside, behind, through the center, far away: each with its words.
 CASES = [
     (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "no root: C is 2 away", "no root"),
     (((-4, -1, 0), (1, 0, 0), (0, 0, 0), 1), "t0 = t1 = 4", "t0 = t1 = 4"),

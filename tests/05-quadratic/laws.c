@@ -33,18 +33,18 @@ LAW(to_object_coordinates)
                    its.yours.s, its.right.s);
     } else if (!(fabs(vec3_length(yours.origin) - away) <= 1e-9 * size)) {
         Apart its = apart(vec3_length(yours.origin), away);
-        law_broken("your origin is %s away from the centre, which is now at (0, 0, 0); in the "
+        law_broken("your origin is %s away from the center, which is now at (0, 0, 0); in the "
                    "world the eye is %s away from it",
                    its.yours.s, its.right.s);
     } else if (!(vec3_length(yours.origin - right.origin) <= 1e-9 * size)) {
         Apart its = apart_vec3(sphere.center + yours.origin, ray.origin);
-        law_broken("your origin is as far from the centre as it should be, but in another "
-                   "direction: centre plus origin is %s, and the eye is at %s",
+        law_broken("your origin is as far from the center as it should be, but in another "
+                   "direction: center plus origin is %s, and the eye is at %s",
                    its.yours.s, its.right.s);
     }
 }
 
-// The eye is so far from the centre; size is the size of the arguments. One at a time: only c
+// The eye is so far from the center; size is the size of the arguments. One at a time: only c
 // counts at t = 0, then a and b by how they change the parabola.
 static void law_of_coefficients(Quadratic yours, Quadratic right, double distance, vec3 v, double r,
                                 double size)
@@ -55,17 +55,17 @@ static void law_of_coefficients(Quadratic yours, Quadratic right, double distanc
     if (!(fabs(yours.c - right.c) <= tolerance)) {
         Apart its = apart(yours.c, right.c);
         law_broken("at t = 0, where the ray starts, your a t^2 + b t + c is %s; the eye is %s from "
-                   "the centre and r is %s: the difference of their squares is %s",
+                   "the center and r is %s: the difference of their squares is %s",
                    its.yours.s, number_text(distance).s, number_text(r).s, its.right.s);
     } else if (!(fabs(yours.a - right.a) <= tolerance)) {
-        law_broken("with p and r 0 only a t^2 is left, the squared distance from the centre: at "
+        law_broken("with p and r 0 only a t^2 is left, the squared distance from the center: at "
                    "t = 1 yours is %s, but v is %s long, and its square is %s",
                    apart(yours.a, right.a).yours.s, number_text(speed).s,
                    apart(yours.a, right.a).right.s);
     } else if (!(fabs(yours.b - right.b) <= tolerance)) {
         Apart its = apart(-yours.b / (2 * yours.a), -right.b / (2 * right.a));
         law_broken("your a t^2 + b t + c is smallest at t = %s, but the ray is closest to the "
-                   "centre at t = %s",
+                   "center at t = %s",
                    its.yours.s, its.right.s);
     }
 }
@@ -147,7 +147,7 @@ LAW(quadratic_roots)
 
 // ---- sphere_roots, hit_sphere -------------------------------------------------------------------
 
-// The ray seen from the centre, and the point where it comes closest to it.
+// The ray seen from the center, and the point where it comes closest to it.
 typedef struct {
     vec3 p, v;
     double r, speed;
@@ -195,11 +195,11 @@ LAW(sphere_roots)
         return;
     }
     if (sight.beside && yours.count == 2)
-        law_broken("the line passes %s from the centre and r is %s: it does not meet the sphere, "
+        law_broken("the line passes %s from the center and r is %s: it does not meet the sphere, "
                    "but you return two roots",
                    number_text(sight.l).s, number_text(sight.r).s);
     if (sight.through && yours.count == 0)
-        law_broken("the line passes %s from the centre and r is %s: it meets the sphere twice, but "
+        law_broken("the line passes %s from the center and r is %s: it meets the sphere twice, but "
                    "you return no root",
                    number_text(sight.l).s, number_text(sight.r).s);
     for (int i = 0; i < yours.count; i++) {
@@ -226,7 +226,7 @@ LAW(hit_sphere)
         return;
     if (yours == NO_HIT) {
         if (sight.through && right < NO_HIT && right * sight.speed > 1e-6 * sight.r)
-            law_broken("the ray %s and passes %s from the centre, r is %s: it hits ahead of the "
+            law_broken("the ray %s and passes %s from the center, r is %s: it hits ahead of the "
                        "eye, but you return NO_HIT",
                        sight.inside    ? "starts inside the sphere"
                        : sight.outside ? "comes from outside"
@@ -235,7 +235,7 @@ LAW(hit_sphere)
         return;
     }
     if (sight.beside)
-        law_broken("the line passes %s from the centre and r is %s: it misses, so t is NO_HIT, "
+        law_broken("the line passes %s from the center and r is %s: it misses, so t is NO_HIT, "
                    "not %s",
                    number_text(sight.l).s, number_text(sight.r).s, number_text(yours).s);
     else if (sight.through && sight.outside && right == NO_HIT)

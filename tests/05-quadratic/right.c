@@ -223,14 +223,14 @@ RIGHT(quadratic_roots, "the sign that comes first depends on the sign of a")
     return (Roots){2, {root_with_sign(q, sqrt(d), first), root_with_sign(q, sqrt(d), -first)}};
 }
 
-// All lengths of the world in radii: then the sphere has radius 1 and its centre at the origin.
+// All lengths of the world in radii: then the sphere has radius 1 and its center at the origin.
 RIGHT(sphere_roots, "the world divided by the radius")
 {
     vec3 p = (ray.origin - sphere.center) / sphere.radius, v = ray.direction / sphere.radius;
     return plain((Quadratic){vec3_dot(v, v), 2 * vec3_dot(v, p), vec3_dot(p, p) - 1});
 }
 
-// |p x v| / |v| is the distance of the line from the centre.
+// |p x v| / |v| is the distance of the line from the center.
 RIGHT(sphere_roots, "the distance with the cross product")
 {
     vec3 to_center = sphere.center - ray.origin, v = ray.direction;
@@ -366,7 +366,7 @@ RIGHT_LINE(sphere_roots, "made of the other answers",
            return plain(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius)))
 RIGHT_LINE(sphere_roots, "in world coordinates", return half_b(world_quadratic(ray, sphere)))
 
-RIGHT(sphere_roots, "the centre projected onto the ray")
+RIGHT(sphere_roots, "the center projected onto the ray")
 {
     double length = vec3_length(ray.direction);
     vec3 way = ray.direction / length, to_center = sphere.center - ray.origin;

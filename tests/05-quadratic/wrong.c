@@ -6,16 +6,16 @@
 // ---- to_object_coordinates ----------------------------------------------------------------------
 
 WRONG_LINE(to_object_coordinates, "Q7", "p unchanged",
-           "this is the eye seen from the world's origin, but it must be seen from the centre of "
+           "this is the eye seen from the world's origin, but it must be seen from the center of "
            "the sphere.",
            "every sphere at the origin of the world", return ray)
 WRONG_LINE(to_object_coordinates, "Q9", "p + C",
-           "seen from the centre, the eye moves in the opposite direction: subtract C.",
+           "seen from the center, the eye moves in the opposite direction: subtract C.",
            "every sphere mirrored to the other side of the world's origin",
            return (Ray){ray.origin + sphere.center, ray.direction})
 WRONG_LINE(
     to_object_coordinates, "O-eye", "C - p",
-    "this is the centre seen from the eye; the exercise asks for the eye seen from the centre.",
+    "this is the center seen from the eye; the exercise asks for the eye seen from the center.",
     "nothing from in front of the eye, but the scene behind it",
     return (Ray){sphere.center - ray.origin, ray.direction})
 WRONG_LINE(to_object_coordinates, "O-both", "p - C, and v - C as well",
@@ -32,25 +32,25 @@ WRONG_LINE(to_object_coordinates, "O-unit", "v / |v|",
            "the right outlines at wrong depths",
            return (Ray){ray.origin - sphere.center, vec3_unit(ray.direction)})
 WRONG_LINE(to_object_coordinates, "O-radius", "(p - C) / r",
-           "seen from the centre the eye is as far away as in the world. Only the origin moves; "
+           "seen from the center the eye is as far away as in the world. Only the origin moves; "
            "nothing is scaled.",
            "large spheres too large and small ones too small",
            return (Ray){(ray.origin - sphere.center) / sphere.radius, ray.direction})
 WRONG_LINE(
     to_object_coordinates, "O-z", "z unchanged",
-    "x and y are seen from the centre of the sphere, but z is not. A vector has three components.",
+    "x and y are seen from the center of the sphere, but z is not. A vector has three components.",
     "spheres moved along z to the origin of the world", sphere.center[2] = 0;
     return (Ray){ray.origin - sphere.center, ray.direction})
 
 // ---- a, b, c ------------------------------------------------------------------------------------
 
-// The right ones, of the eye seen from the centre.
+// The right ones, of the eye seen from the center.
 static Quadratic right(vec3 p, vec3 v, double r)
 {
     return (Quadratic){vec3_dot(v, v), 2 * vec3_dot(p, v), vec3_dot(p, p) - r * r};
 }
 
-// a, b and c, made of the right ones; p is the eye seen from the centre.
+// a, b and c, made of the right ones; p is the eye seen from the center.
 #define COEFFICIENTS(p_is, v_is, r_is, ...)                                                        \
     vec3 p = p_is, v = v_is;                                                                       \
     double r = r_is, a = right(p, v, r).a, b = right(p, v, r).b, c = right(p, v, r).c;             \
@@ -98,7 +98,7 @@ OBJECT_AND_WORLD("Q4", "c = p.p + r^2", "c = |p - C|^2 + r^2",
                  "never 0.",
                  "a blank picture", a, b, vec3_dot(p, p) + r * r)
 OBJECT_AND_WORLD("Q-point", "c = p.p", "c = |p - C|^2",
-                 "without its radius a sphere is only its centre, and hardly any ray hits a point.",
+                 "without its radius a sphere is only its center, and hardly any ray hits a point.",
                  "a blank picture", a, b, vec3_dot(p, p))
 OBJECT_AND_WORLD("Q5", "a = 1", "a = 1",
                  "this is true only if v has length 1. The v of a pixel's ray ends on the image "
@@ -161,10 +161,10 @@ OBJECT("Q-z-b", "b = 2 (p_x v_x + p_y v_y)", TWO_OF_THREE, "distorted spheres, o
 OBJECT("Q-z-c", "c = p_x^2 + p_y^2 - r^2", TWO_OF_THREE, "distorted spheres, or none", a, b,
        without_z(p, p) - r * r)
 
-// ---- a, b, c in the world: places where the centre is lost --------------------------------------
+// ---- a, b, c in the world: places where the center is lost --------------------------------------
 
 WRONG_LINE(world_quadratic, "Q7-world", "b = 2 p.v, c = p.p - r^2",
-           "the centre is missing in both, so this is a sphere at the origin of the world.",
+           "the center is missing in both, so this is a sphere at the origin of the world.",
            "every sphere at the origin of the world",
            return right(ray.origin, ray.direction, sphere.radius))
 WRONG_LINE(world_quadratic, "Q9-world", "b = 2 (p + C).v, c = |p + C|^2 - r^2",
@@ -182,10 +182,10 @@ WORLD("Q1-half", "b = 2 p.v - C.v",
       "here b does.",
       "spheres of the wrong size in the wrong places, except one at the origin of the world", a,
       b + vec3_dot(center, v), c)
-WORLD("Q-b", "b = 2 p.v", "c knows the centre but b does not: they describe two different spheres.",
+WORLD("Q-b", "b = 2 p.v", "c knows the center but b does not: they describe two different spheres.",
       "spheres of the wrong size in the wrong places, except one at the origin of the world", a,
       2 * vec3_dot(eye, v), c)
-WORLD("Q9-b", "b = 2 (p.v + C.v)", "c measures from the centre, but b from the opposite point, -C.",
+WORLD("Q9-b", "b = 2 (p.v + C.v)", "c measures from the center, but b from the opposite point, -C.",
       "spheres of the wrong size in the wrong places, except one at the origin of the world", a,
       2 * vec3_dot(eye + center, v), c)
 WORLD("Q3-world", "c = |p - C|^2 - r",
@@ -193,12 +193,12 @@ WORLD("Q3-world", "c = |p - C|^2 - r",
       "spheres of the wrong size, except those of radius 1", a, b, c + r * r - r)
 // |p - C|^2 = |p|^2 - |C|^2
 WORLD("Q-squares", "c = p.p - C.C - r^2",
-      "p.p - C.C is 0 if eye and centre are equally far from the world's origin, however far they "
+      "p.p - C.C is 0 if eye and center are equally far from the world's origin, however far they "
       "are from each other.",
       "spheres far too large, except one at the origin of the world", a, b,
       vec3_dot(eye, eye) - vec3_dot(center, center) - r * r)
 WORLD("Q-sum", "c = p.p + C.C - r^2",
-      "this is the squared distance only if eye and centre are at a right angle seen from the "
+      "this is the squared distance only if eye and center are at a right angle seen from the "
       "world's origin.",
       "spheres of the wrong size, except one at the origin of the world", a, b,
       c + 2 * vec3_dot(eye, center))
@@ -206,7 +206,7 @@ WORLD("Q-once", "c = p.p - p.C + C.C - r^2", "multiply out (p - C).(p - C): p.C 
       "spheres of the wrong size, except one at the origin of the world", a, b,
       c + vec3_dot(eye, center))
 WORLD("Q9-c", "c = p.p + 2 p.C + C.C - r^2",
-      "this measures the eye from -C, opposite to the centre.",
+      "this measures the eye from -C, opposite to the center.",
       "spheres of the wrong size, except one at the origin of the world", a, b,
       c + 4 * vec3_dot(eye, center))
 WORLD("Q-cc", "c = p.p - 2 p.C - r^2",
@@ -219,7 +219,7 @@ WORLD("Q-cc-sign", "c = p.p - 2 p.C - C.C - r^2",
       "spheres that grow with their distance from the origin of the world", a, b,
       c - 2 * vec3_dot(center, center))
 WRONG_LINE(world_quadratic, "Q-v", "v - C instead of v",
-           "a direction is a difference of two points. Seen from the centre it is the same.",
+           "a direction is a difference of two points. Seen from the center it is the same.",
            "spheres bent and out of place, except one at the origin of the world",
            return right(ray.origin - sphere.center, ray.direction - sphere.center, sphere.radius))
 
@@ -432,9 +432,9 @@ OF_SLIDE("R-ahead", "only the roots above 0",
          : roots.t[1] > 0               ? (Roots){1, {roots.t[1]}}
                                         : no_roots)
 OF_SLIDE("R-b0", "no roots if b = 0",
-         "b = 0 says only that the ray starts where it is closest to the centre; the two points "
+         "b = 0 says only that the ray starts where it is closest to the center; the two points "
          "are then on opposite sides.",
-         "a sphere that vanishes if the eye is at its centre", q.b == 0 ? no_roots : roots)
+         "a sphere that vanishes if the eye is at its center", q.b == 0 ? no_roots : roots)
 OF_SLIDE("R-a0", "/ (2a) even if a = 0",
          "this divides by 0. Without t^2 the parabola is a straight line: solve b t + c = 0.",
          NOT_OF_SPHERES,
@@ -491,7 +491,7 @@ WRONG_LINE(sphere_roots, "S-unit", "v / |v|, and its roots",
            "the right outlines at wrong depths", ray.direction = vec3_unit(ray.direction);
            return slide(equation(ray, sphere)))
 WRONG_LINE(sphere_roots, "S-double", "2r instead of r",
-           "r is the distance from the centre to the surface, not from side to side.",
+           "r is the distance from the center to the surface, not from side to side.",
            "spheres of twice the size", sphere.radius *= 2;
            return slide(equation(ray, sphere)))
 WRONG_LINE(sphere_roots, "S-float", "a, b, c as float",
@@ -550,7 +550,7 @@ WRONG(sphere_roots, "S-always", "t = -p.v / v.v if it misses",
 }
 
 // By the closest approach, as the extra suggests: it is at t = foot, at the distance l from the
-// centre; half a chord is a length, and half is that in t.
+// center; half a chord is a length, and half is that in t.
 #define BY_CLOSEST_APPROACH(id, formula, why, picture, foot_is, half_is)                           \
     WRONG(sphere_roots, id, formula, why, picture)                                                 \
     {                                                                                              \
@@ -665,7 +665,7 @@ OF_HITS("T-abs", "|t|",
         "a negative t is behind the eye, and a positive sign does not bring it to the front.",
         "objects behind the eye appear ahead of it", roots.count > 0 ? fabs(roots.t[0]) : NO_HIT)
 OF_HITS("T-middle", "-b / (2a)",
-        "this is where the ray is closest to the centre, deep inside the sphere.",
+        "this is where the ray is closest to the center, deep inside the sphere.",
         "the right outlines, filled with flat discs",
         roots.count > 0 && roots.t[0] + roots.t[1] > 0 ? (roots.t[0] + roots.t[1]) / 2 : NO_HIT)
 OF_HITS("T-count", "t[0] and t[1], whatever count says",
@@ -720,7 +720,7 @@ ALL_IN_ONE("R1-hit", "(-b - sqrt(D)) / 2 * a",
            "the right outlines at wrong depths", first_root_above(slide(q), 0) * q.a * q.a)
 ALL_IN_ONE("T-float", "the formula in float", SEVEN_DIGITS, "speckles, and ragged edges",
            first_root_above(in_float(q), 0))
-WRONG_LINE(hit_sphere, "Q7-hit", "the ray in world coordinates, without the centre",
+WRONG_LINE(hit_sphere, "Q7-hit", "the ray in world coordinates, without the center",
            "this is a sphere at the origin of the world.",
            "every sphere at the origin of the world", sphere.center = vec3_of(0, 0, 0);
            return hit_sphere(ray, sphere))

@@ -1,7 +1,7 @@
 """figures.py - the figures of chapter 06, and its story of one pixel, are right.
 
 Scenes are made here, as NFF. The expected values are computed by plane geometry, without a
-quadratic: the point of a ray nearest to a sphere's centre, and half the chord through it.
+quadratic: the point of a ray nearest to a sphere's center, and half the chord through it.
 """
 import math
 import os
@@ -159,7 +159,7 @@ def plane_where_it_is_seen():
         checks.near(f"{name}: a direction has no length", from_the_eye(other, "plane"), from_the_eye(one, "plane"))
         across = [x for x, _ in one.lines("plane")[0]]
         checks.that(f"{name}: the plane can be seen", max(across) - min(across) > 40, str(across))
-        # Between the centres of the pixels: no ray that is drawn meets it.
+        # Between the centers of the pixels: no ray that is drawn meets it.
         unseen = Figure(PROGRAM, name, *scene_options({**far, "spheres": [((0, 0, -400), 5, (0.8, 0.3, 0.2))]}, (4, 4)))
         across = [x for x, _ in unseen.lines("plane")[0]]
         checks.that(f"{name}: the plane is before a sphere that no pixel sees, and so it can be seen",
@@ -174,7 +174,7 @@ def plane_where_it_is_seen():
 
 
 def shown_spheres(figure, world, expected):
-    """The discs: their names, places, sizes and colours, and the far ones first."""
+    """The discs: their names, places, sizes and colors, and the far ones first."""
     data = {int(row[0]): row for row in figure.block("spheres")}
     checks.that("these spheres are drawn", figure.number("balls") == len(expected) and
                 (not expected or set(data) == set(expected)), f"{sorted(data)}, expected {sorted(expected)}")
@@ -199,10 +199,10 @@ def shown_spheres(figure, world, expected):
 
 
 def cells(figure, world, nearer, expected):
-    """The coloured pixels, their colours and their places."""
+    """The colored pixels, their colors and their places."""
     rows = figure.block("pixels")
     got = {(int(row[4]), int(row[5])): int(row[3]) for row in rows if row[4] >= 0}
-    checks.that("the pixels that are coloured", got == expected, f"{got}, expected {expected}")
+    checks.that("the pixels that are colored", got == expected, f"{got}, expected {expected}")
     checks.that("they are counted", figure.number("cells") == len(expected))
     drawn = {}
     for shape in figure.polygons("pixels"):
@@ -312,7 +312,7 @@ def ray_casting(scene, pixel, options=None):
         name = f"{number_shown(t)}, sphere {chr(ord('A') + sphere)}"
         checks.that("the t of a hit is in the words", name in texts, f"{name} in {texts}")
     if hits:
-        checks.same("the pixel's colour", [figure.number("pixel_rgb")], [rgb(world.color(v))])
+        checks.same("the pixel's color", [figure.number("pixel_rgb")], [rgb(world.color(v))])
         checks.that("the closest is named", f"{number_shown(hits[0][0])}, sphere {chr(ord('A') + hits[0][1])}: closest" in texts)
     end = max([1.2 * nearer] + [1.1 * t for t, _ in hits[:4]])
     if hits:
@@ -327,14 +327,14 @@ def image_order(scene, pixel, options=None):
     cells(figure, world, nearer, cast(world))
     centers = [figure.place(plus(world.eye, world.pixel(column, row), nearer))
                for row in range(world.rows) for column in range(world.columns)]
-    checks.near("the centres of the pixels", figure.dots("centers"), centers)
+    checks.near("the centers of the pixels", figure.dots("centers"), centers)
     outline = rectangle(figure, world, nearer, pixel)
     checks.near("the pixel", figure.lines("outline of the pixel")[0], outline + outline[:1])
     checks.near("the hit", figure.dots("closest hit"), [figure.place(plus(world.eye, v, t)) for t, _ in hits[:1]])
     if figure.number("misses"):
         end = figure.block("miss")[-1][:3]
         checks.that("the ray that misses misses", not world.hits(plus(tuple(end), world.eye, -1)))
-    checks.that("the pixel centres are counted", any(
+    checks.that("the pixel centers are counted", any(
         re.fullmatch(f"{len(cast(world))} pixel centers? hit", text) for text, _, _ in figure.labels()))
 
 
@@ -498,8 +498,8 @@ def explain_figure(scene, pixel, options=None):
     nearest = f"smallest t: {number_shown(hits[0][0])}, {chr(ord('A') + hits[0][1])}" if hits else "no hit: background"
     checks.that("and which hit is the closest", nearest in lines, f"{nearest!r}, not in {lines}")
     bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
-    checks.that("the colour is in the words", f"color {bytes_text}" in lines, str(lines))
-    checks.that("the colour", figure.text("bytes_text") == bytes_text, figure.text("bytes_text"))
+    checks.that("the color is in the words", f"color {bytes_text}" in lines, str(lines))
+    checks.that("the color", figure.text("bytes_text") == bytes_text, figure.text("bytes_text"))
 
 
 # ---- the story in words -------------------------------------------------------------------------------
@@ -539,7 +539,7 @@ def story(scene, pixel):
                 [len(hits), met - len(hits), len(world.spheres) - met], str(count))
     color = tuple(math.floor(255 * x + 0.5) for x in world.color(v))
     in_words = re.search(r"as bytes.*?(\d+), (\d+), (\d+) +#(\w{6})$", text, re.M)
-    checks.that("the story's colour", tuple(map(int, in_words.groups()[:3])) == color and
+    checks.that("the story's color", tuple(map(int, in_words.groups()[:3])) == color and
                 int(in_words.group(4), 16) == rgb(world.color(v)), in_words.group(0))
     for order in ("image", "object"):
         run("--order", order, "-o", picture, path)

@@ -45,7 +45,7 @@ static bool is_there(Hit yours, Ray ray, const Scene *scene)
     if (!(yours.t > 0))
         law_broken("your t is %s: a hit is in front of the eye, t > 0", number_text(yours.t).s);
     else
-        law_broken("your t is %s on sphere %d, but that point is %s from its centre, and its "
+        law_broken("your t is %s on sphere %d, but that point is %s from its center, and its "
                    "radius is %s",
                    number_text(yours.t).s, yours.sphere, number_text((off + 1) * radius).s,
                    number_text(radius).s);
@@ -122,9 +122,9 @@ static bool is_background(const uint8_t *bytes, const Scene *scene)
     return are(bytes, scene->background);
 }
 
-// The sphere of this colour that the ray hits first; if it hits none of them, any; with NO_HIT, -1
+// The sphere of this color that the ray hits first; if it hits none of them, any; with NO_HIT, -1
 // if there is none.
-static Hit coloured_so(const uint8_t *bytes, PixelRay ray, const Scene *scene)
+static Hit colored_so(const uint8_t *bytes, PixelRay ray, const Scene *scene)
 {
     Hit found = {NO_HIT, -1};
     for (int i = 0; i < scene->sphere_count; i++) {
@@ -136,14 +136,14 @@ static Hit coloured_so(const uint8_t *bytes, PixelRay ray, const Scene *scene)
     return found;
 }
 
-static bool colours_are_of_the_scene(const Scene *scene, const Image *image)
+static bool colors_are_of_the_scene(const Scene *scene, const Image *image)
 {
     int strange = 0;
     Pixel first = {0, 0};
     for (int i = pixel_count(image); i-- > 0;) {
         const uint8_t *bytes = image_bytes(image, pixel_number(image, i));
         if (!is_background(bytes, scene) &&
-            coloured_so(bytes, ray_of_pixel(scene, i), scene).sphere < 0) {
+            colored_so(bytes, ray_of_pixel(scene, i), scene).sphere < 0) {
             strange++;
             first = pixel_number(image, i);
         }
@@ -151,7 +151,7 @@ static bool colours_are_of_the_scene(const Scene *scene, const Image *image)
     if (strange == 0)
         return true;
     const uint8_t *bytes = image_bytes(image, first);
-    law_broken("%d of %d pixels are not set, or not to a colour of the scene; the first, in "
+    law_broken("%d of %d pixels are not set, or not to a color of the scene; the first, in "
                "column %d, row %d, is red %d, green %d, blue %d",
                strange, pixel_count(image), first.column, first.row, bytes[0], bytes[1], bytes[2]);
     return false;
@@ -219,21 +219,21 @@ static bool depth_is_right(Pixel pixel, double yours, PixelRay ray, const Scene 
 
 static void say_what_is_shown(Pixel pixel, const uint8_t *yours, PixelRay ray, const Scene *scene)
 {
-    Hit hit = first_hit(ray, scene), shown = coloured_so(yours, ray, scene);
-    char hits[80] = "hits nothing", colour[80] = "the background";
+    Hit hit = first_hit(ray, scene), shown = colored_so(yours, ray, scene);
+    char hits[80] = "hits nothing", color[80] = "the background";
     if (hit.sphere >= 0)
         snprintf(hits, sizeof hits, "first hits sphere %d, at t = %.20s", hit.sphere,
                  number_text(hit.t).s);
     if (shown.t < NO_HIT && shown.t == hit.t)
-        snprintf(colour, sizeof colour, "sphere %d, hit at the same t: the lower index counts",
+        snprintf(color, sizeof color, "sphere %d, hit at the same t: the lower index counts",
                  shown.sphere);
     else if (shown.t < NO_HIT)
-        snprintf(colour, sizeof colour, "sphere %d, hit at t = %.20s", shown.sphere,
+        snprintf(color, sizeof color, "sphere %d, hit at t = %.20s", shown.sphere,
                  number_text(shown.t).s);
     else if (!is_background(yours, scene))
-        snprintf(colour, sizeof colour, "sphere %d, which it misses", shown.sphere);
-    law_broken("the ray of column %d, row %d %s, but the pixel's colour is that of %s",
-               pixel.column, pixel.row, hits, colour);
+        snprintf(color, sizeof color, "sphere %d, which it misses", shown.sphere);
+    law_broken("the ray of column %d, row %d %s, but the pixel's color is that of %s", pixel.column,
+               pixel.row, hits, color);
 }
 
 static void law_of_pictures(const Scene *scene, const Image *yours, const double *depth)
@@ -241,7 +241,7 @@ static void law_of_pictures(const Scene *scene, const Image *yours, const double
     int pixels = pixel_count(yours), wrong = 0;
     while (wrong < pixels && is_right(yours->rgb + 3 * wrong, wrong))
         wrong++;
-    bool fine = wrong == pixels || (colours_are_of_the_scene(scene, yours) && is_not_turned(yours));
+    bool fine = wrong == pixels || (colors_are_of_the_scene(scene, yours) && is_not_turned(yours));
     for (int i = 0; i < pixels && fine && depth != NULL; i++)
         fine = depth_is_right(pixel_number(yours, i), depth[i], ray_of_pixel(scene, i), scene);
     if (fine && wrong < pixels)

@@ -111,7 +111,7 @@ static Color flat_color(const Scene *scene, int sphere)
     return sphere < 0 ? scene->background : scene_surface(scene, sphere)->color;
 }
 
-// Another colour than this, the right one.
+// Another color than this, the right one.
 #define COLOR_OF(name, ...)                                                                        \
     static Color name(const Scene *scene, int sphere)                                              \
     {                                                                                              \
@@ -277,7 +277,7 @@ LOOP("H3-0", "a best t that starts at 0",
      .start = &(Hit){0, -1})
 LOOP("H3-zeros", "all zeros: t = 0 on sphere 0",
      "this means that sphere 0 touches the eye, and nothing can be nearer than that.",
-     "sphere 0's colour everywhere", .start = &(Hit){0, 0})
+     "sphere 0's color everywhere", .start = &(Hit){0, 0})
 LOOP("H3-10", "a best t that starts at 10",
      "some spheres are farther away than that, and if nothing is hit the result has t = NO_HIT.",
      "spheres cut off where they are far away", .start = &(Hit){10, -1})
@@ -301,7 +301,7 @@ LOOP("H-far", "the farthest hit",
      "the scene from back to front: far spheres in front of near ones", .replaces = hit_and_farther)
 LOOP("H-tie", "the last one of equally near spheres",
      "an equal t is not nearer. Of equal hits the lower index counts.",
-     "another colour where two spheres touch or coincide", .replaces = nearer_or_equal)
+     "another color where two spheres touch or coincide", .replaces = nearer_or_equal)
 LOOP("H-from1", "sphere 0 left out", "spheres are counted from 0.",
      "the first sphere of the scene is missing", .first_sphere = 1)
 LOOP("H-last", "the last sphere left out",
@@ -365,8 +365,8 @@ EACH_SPHERE("H-before", "each sphere compared with the one before it",
             "far spheres in front of near ones, in the order of the scene",
             best = t < before ? (Hit){t, i} : best)
 
-WRONG(nearest_hit, "H-centre", "the sphere whose centre is nearest",
-      "the eye sees surfaces. A large sphere may come nearer than a small one whose centre is in "
+WRONG(nearest_hit, "H-center", "the sphere whose center is nearest",
+      "the eye sees surfaces. A large sphere may come nearer than a small one whose center is in "
       "front of its own.",
       "spheres that intersect are cut at the wrong place")
 {
@@ -419,11 +419,11 @@ OF_NEAREST(
     "H-count", "a loop up to i <= sphere_count",
     "n spheres have the numbers 0 to n - 1. There is no sphere number sphere_count: reading past "
     "the end of an array can give anything.",
-    "a crash, or the colour of a sphere that does not exist",
+    "a crash, or the color of a sphere that does not exist",
     double t = hit_sphere(ray, GUARD_SPHERE);
     return t < hit.t ? (Hit){t, scene->sphere_count} : hit)
 OF_NEAREST("H-none0", "index 0 if nothing is hit", "0 is the first sphere; a miss is -1.",
-           "the first sphere's colour instead of the background",
+           "the first sphere's color instead of the background",
            return hit.sphere < 0 ? (Hit){NO_HIT, 0} : hit)
 OF_NEAREST("H-none-1", "t = -1 if nothing is hit",
            "-1 would be behind the eye, and nearer than every hit. NO_HIT is farther than all.",
@@ -431,7 +431,7 @@ OF_NEAREST("H-none-1", "t = -1 if nothing is hit",
            return hit.sphere < 0 ? (Hit){-1, -1} : hit)
 OF_NEAREST("H-none-count", "sphere_count if nothing is hit",
            "the last sphere has the number sphere_count - 1, and a miss is -1.",
-           "a crash, or an arbitrary colour for the background",
+           "a crash, or an arbitrary color for the background",
            return hit.sphere < 0 ? (Hit){NO_HIT, scene->sphere_count} : hit)
 OF_NEAREST("H-way", "the distance to the hit: t times the direction's length",
            "t counts in lengths of the direction, and a direction may have any length.",
@@ -439,10 +439,10 @@ OF_NEAREST("H-way", "the distance to the hit: t times the direction's length",
            return (Hit){hit.t * vec3_length(ray.direction), hit.sphere})
 OF_NEAREST("H-surface", "the index of the sphere's surface",
            "several spheres may share a surface, so it does not tell which of them was hit.",
-           "spheres in each other's colours",
+           "spheres in each other's colors",
            return (Hit){hit.t, hit.sphere < 0 ? -1 : scene->spheres[hit.sphere].surface})
 OF_NEAREST("H-count1", "the spheres counted from 1", "the first sphere has the index 0.",
-           "each sphere in the next one's colour",
+           "each sphere in the next one's color",
            return (Hit){hit.t, hit.sphere < 0 ? -1 : hit.sphere + 1})
 OF_NEAREST("H-no-sphere", "the right t, with -1 for the sphere",
            "-1 says that nothing was hit. Return the index of the sphere with this t.",
@@ -451,10 +451,10 @@ OF_NEAREST("H-no-sphere", "the right t, with -1 for the sphere",
 OF_NEAREST("H-braces", "the right t, but the last sphere",
            "the index changes with every sphere, whether it is nearer or not. An if without braces "
            "ends after one statement.",
-           "everything in the last sphere's colour", return (Hit){hit.t, scene->sphere_count - 1})
+           "everything in the last sphere's color", return (Hit){hit.t, scene->sphere_count - 1})
 OF_NEAREST("H-first-index", "the right t, but the first hit's index",
            "a nearer hit replaces both: the t and the index of its sphere.",
-           "spheres in each other's colours",
+           "spheres in each other's colors",
            hit.sphere = nearest_with((Slips){.replaces = hit_and_none_before}, ray, scene).sphere;
            return hit)
 WRONG_LINE(nearest_hit, "H-no-t", "the last sphere that is hit, with t = NO_HIT",
@@ -478,7 +478,7 @@ WRONG_LINE(nearest_hit, "H-no-t", "the last sphere that is hit, with t = NO_HIT"
     "only hits that are nearer by " epsilon,                                                       \
         "scenes are of any size, and t counts in lengths of the direction: nearer is nearer, by "  \
         "however little.",                                                                         \
-        "right in scenes of one size, wrong colours in smaller ones"
+        "right in scenes of one size, wrong colors in smaller ones"
 #define FLOAT_WORDS                                                                                \
     "t compared as floats",                                                                        \
         "a float has 7 digits, a double 16, and spheres may be close together.",                   \
@@ -552,7 +552,7 @@ BOTH_AS("P4", "P4-object", "row and column swapped",
 BOTH_AS("P7", "P7-object", "rays from the world's origin", "rays start at the eye.",
         "moving the camera changes nothing", .ray_of = from_the_worlds_origin)
 BOTH("N3", "divided by width - 1 and height - 1",
-     "W pixels are W steps wide, and the ray goes through the centre of its pixel: use pixel_ray.",
+     "W pixels are W steps wide, and the ray goes through the center of its pixel: use pixel_ray.",
      "slightly too large; nothing in an image of one row or one column",
      .ray_of = through_width_less_1)
 BOTH("height-shape", "the height of the image plane from the image's shape",
@@ -576,29 +576,29 @@ BOTH_AS("R8-image", "R8-object", "no hit on a sphere around the eye",
 BOTH_AS("I-far", "Z-far", "the farthest hit", "the nearest sphere covers the farther ones.",
         "the scene from back to front", .replaces = hit_and_farther)
 BOTH("rest", "only hits painted",
-     "if nothing is hit, the old colour of the image stays. Every pixel needs a colour.",
+     "if nothing is hit, the old color of the image stays. Every pixel needs a color.",
      "spheres on the old contents of the image, at first black", .no_background = true)
 
 // ---- image order --------------------------------------------------------------------------------
 
 IMAGE_ORDER("I-turn", "the pixels from the last to the first",
-            "the ray of the lower right pixel colours the upper left one.", "turned by 180 degrees",
+            "the ray of the lower right pixel colors the upper left one.", "turned by 180 degrees",
             .ray_of = turned)
 IMAGE_ORDER("I-from1", "the pixels counted from 1",
             "the first column and the first row are number 0; so each pixel shows its neighbour.",
             "shifted by a pixel, to the left and up", .ray_of = next_one)
 IMAGE_ORDER("I-one", "the ray of the first pixel for all", "every pixel has its own ray.",
-            "all in one colour", .ray_of = always_the_first)
+            "all in one color", .ray_of = always_the_first)
 IMAGE_ORDER("I-size", "width and height swapped",
             "a resolution is the number of columns, then the number of rows.",
             "spheres stretched, part of the scene cut off; right in a square image",
             .ray_of = width_and_height_swapped)
 IMAGE_ORDER("P1", "rays through the pixels' corners",
-            "a pixel is a small square, and its ray goes through the centre: half a pixel to the "
+            "a pixel is a small square, and its ray goes through the center: half a pixel to the "
             "right and half a pixel down.",
             "everything moved by half a pixel, to the right and down", .ray_of = through_corner)
 IMAGE_ORDER("P2", "rays through the lower right corners",
-            "from its upper left corner to its centre it is half a pixel each way, once.",
+            "from its upper left corner to its center it is half a pixel each way, once.",
             "everything moved by half a pixel, to the left and up", .ray_of = through_lower_right)
 IMAGE_ORDER("I-column0", "column 0 not painted", "columns are counted from 0.",
             "a stripe at the left edge", .left_out = in_first_column)
@@ -619,7 +619,7 @@ IMAGE_ORDER("I-only", "sphere 0 alone",
             "each ray must be tested against every sphere of the scene.", "one sphere only",
             .most_spheres = 1)
 IMAGE_ORDER("I-tie", "the last of equally near spheres", "of equal hits the lower index counts.",
-            "another colour where two spheres touch or coincide", .replaces = nearer_or_equal)
+            "another color where two spheres touch or coincide", .replaces = nearer_or_equal)
 IMAGE_ORDER("R6-image", "spheres compared by where rays leave them",
             "the eye sees the point where the ray enters. A large sphere may start in front of a "
             "small one and end behind it.",
@@ -627,14 +627,14 @@ IMAGE_ORDER("R6-image", "spheres compared by where rays leave them",
 
 COLOR_OF(always_background, scene->background)
 IMAGE_ORDER("I-none", "the background everywhere",
-            "no hit ever colours its pixel. How do you distinguish a hit from a miss?", "blank",
+            "no hit ever colors its pixel. How do you distinguish a hit from a miss?", "blank",
             .color = always_background)
 COLOR_OF(sphere_0_is_nothing, sphere > 0 ? color : scene->background)
 IMAGE_ORDER("I-0", "index 0 treated as a miss", "0 is the first sphere; a miss is -1.",
             "a hole in the shape of the first sphere", .color = sphere_0_is_nothing)
 
 WRONG(cast_image_order, "I-break", "a row given up at its first miss",
-      "a ray that hits nothing says nothing about the next one. Its own pixel needs a colour as "
+      "a ray that hits nothing says nothing about the next one. Its own pixel needs a color as "
       "well.",
       "black; only spheres that touch the left edge are seen")
 {
@@ -648,9 +648,9 @@ WRONG(cast_image_order, "I-break", "a row given up at its first miss",
         }
 }
 
-// The colour of a hit is kept for the next pixels of the row and below.
-WRONG(cast_image_order, "I-kept", "the colour of the last hit if nothing is hit",
-      "if nothing is hit, the pixel has the background's colour: set it for each pixel.",
+// The color of a hit is kept for the next pixels of the row and below.
+WRONG(cast_image_order, "I-kept", "the color of the last hit if nothing is hit",
+      "if nothing is hit, the pixel has the background's color: set it for each pixel.",
       "spheres smeared to the right and down")
 {
     int sphere = -1;
@@ -674,59 +674,57 @@ WRONG(cast_image_order, "I-pixel", "the last pixel not painted",
         bytes[i] = kept[i];
 }
 
-// ---- both orders: the colours -------------------------------------------------------------------
+// ---- both orders: the colors -------------------------------------------------------------------
 
 #define COLORS(name, id, formula, why, picture, ...)                                               \
     COLOR_OF(name, __VA_ARGS__)                                                                    \
     BOTH(id, formula, why, picture, .color = name)
 
 COLORS(black_background, "black", "black if nothing is hit",
-       "the scene has its own background colour.", "spheres on black",
+       "the scene has its own background color.", "spheres on black",
        sphere < 0 ? vec3_of(0, 0, 0) : color)
 COLORS(surface_of_that_number, "index", "the surface of the sphere's number",
        "spheres and surfaces are numbered separately; each sphere has the number of its surface.",
-       "spheres in each other's colours",
+       "spheres in each other's colors",
        sphere < 0 ? color : scene->surfaces[sphere % scene->surface_count].color)
 COLORS(first_surface, "white", "always surface 0", "each sphere has the number of its surface.",
-       "all spheres in one colour", sphere < 0 ? color : scene->surfaces[0].color)
+       "all spheres in one color", sphere < 0 ? color : scene->surfaces[0].color)
 COLORS(blue_green_red, "bgr", "blue, green, red", "the first of the three numbers is red.",
        "red and blue swapped", vec3_of(color[2], color[1], color[0]))
-COLORS(times_255, "255", "colours times 255",
-       "colours go from 0 to 1; the image converts them to bytes.",
+COLORS(times_255, "255", "colors times 255",
+       "colors go from 0 to 1; the image converts them to bytes.",
        "everything that is not black is too bright", 255 * color)
-COLORS(through_255, "1/255", "colours divided by 255",
-       "colours already go from 0 to 1; the image converts them to bytes.", "nearly black",
+COLORS(through_255, "1/255", "colors divided by 255",
+       "colors already go from 0 to 1; the image converts them to bytes.", "nearly black",
        color / 255)
-COLORS(surface_times_255, "255-surface", "the surface's colour times 255",
-       "colours go from 0 to 1, also those of surfaces; the image converts them to bytes.",
+COLORS(surface_times_255, "255-surface", "the surface's color times 255",
+       "colors go from 0 to 1, also those of surfaces; the image converts them to bytes.",
        "spheres too bright on the right background", sphere < 0 ? color : 255 * color)
-COLORS(surface_through_255, "1/255-surface", "the surface's colour divided by 255",
-       "colours already go from 0 to 1, also those of surfaces; the image converts them to bytes.",
+COLORS(surface_through_255, "1/255-surface", "the surface's color divided by 255",
+       "colors already go from 0 to 1, also those of surfaces; the image converts them to bytes.",
        "nearly black spheres on the right background", sphere < 0 ? color : color / 255)
 COLORS(ambient_background, "ambient", "the ambient light if nothing is hit",
        "the scene has both, and they differ: use its background.", "spheres on another background",
        sphere < 0 ? scene->ambient : color)
 COLORS(white_background, "white-sky", "white if nothing is hit",
-       "the scene has its own background colour.", "spheres on white",
+       "the scene has its own background color.", "spheres on white",
        sphere < 0 ? vec3_of(1, 1, 1) : color)
-COLORS(background_of_surface_0, "sky-surface", "the colour of surface 0 if nothing is hit",
-       "only spheres have surfaces; the scene has its own background colour.",
+COLORS(background_of_surface_0, "sky-surface", "the color of surface 0 if nothing is hit",
+       "only spheres have surfaces; the scene has its own background color.",
        "spheres on another background", sphere < 0 ? scene->surfaces[0].color : color)
-COLORS(in_whole_numbers, "int", "colours without the digits after the decimal point",
-       "colours are numbers from 0 to 1, mostly in between: keep them in a Color or in doubles.",
-       "black, except where a colour is 1",
+COLORS(in_whole_numbers, "int", "colors without the digits after the decimal point",
+       "colors are numbers from 0 to 1, mostly in between: keep them in a Color or in doubles.",
+       "black, except where a color is 1",
        vec3_of(trunc(color[0]), trunc(color[1]), trunc(color[2])))
 COLORS(all_white, "all-white", "white everywhere",
-       "the scene has the colours of its background and of each surface.", "white",
-       vec3_of(1, 1, 1))
+       "the scene has the colors of its background and of each surface.", "white", vec3_of(1, 1, 1))
 COLORS(all_black, "all-black", "black everywhere",
-       "the scene has the colours of its background and of each surface.", "black",
-       vec3_of(0, 0, 0))
-COLORS(times_kd, "kd", "kd times the surface's colour",
-       "kd is used in chapter 07: here colours are flat.", "spheres too dark",
+       "the scene has the colors of its background and of each surface.", "black", vec3_of(0, 0, 0))
+COLORS(times_kd, "kd", "kd times the surface's color",
+       "kd is used in chapter 07: here colors are flat.", "spheres too dark",
        sphere < 0 ? color : scene_surface(scene, sphere)->diffuse * color)
-COLORS(encoded, "gamma", "colours to the power of 1 / 2.2",
-       "the image takes colours unchanged: no gamma here.", "everything too pale",
+COLORS(encoded, "gamma", "colors to the power of 1 / 2.2",
+       "the image takes colors unchanged: no gamma here.", "everything too pale",
        vec3_of(pow(color[0], 1 / 2.2), pow(color[1], 1 / 2.2), pow(color[2], 1 / 2.2)))
 COLORS(green_red_blue, "grb", "green, red, blue", "the first of the three numbers is red.",
        "red and green swapped", vec3_of(color[1], color[0], color[2]))
@@ -744,7 +742,7 @@ OBJECT_ORDER("O-wipe", "each sphere erases the pixels where it is missed",
              "another sphere may already be visible there. A miss says nothing about the others.",
              "only the last sphere", .background_where_missed = true)
 OBJECT_ORDER("O-else", "each sphere erases the pixels where it is not the nearest so far",
-             "the colours of other spheres must stay. Paint the background once, before all "
+             "the colors of other spheres must stay. Paint the background once, before all "
              "spheres.",
              "the last sphere, with holes where others are in front of it",
              .background_where_farther = true)
@@ -796,11 +794,11 @@ OBJECT_ORDER("H1-object", "each sphere painted wherever it is hit",
              "was something nearer hit in that pixel before? The depth answers that.",
              "far spheres in front of near ones, in the order of the scene", .replaces = any_hit)
 OBJECT_ORDER("Z-first", "pixels painted only once",
-             "a sphere later in the list may be nearer, and covers the colour that is there.",
+             "a sphere later in the list may be nearer, and covers the color that is there.",
              "the first spheres of the scene cover everything", .replaces = hit_and_none_before)
 OBJECT_ORDER("Z-tie", "painted over at equal depths",
              "an equal t is not nearer. Of equal hits the lower index counts.",
-             "another colour where two spheres touch or coincide", .replaces = nearer_or_equal)
+             "another color where two spheres touch or coincide", .replaces = nearer_or_equal)
 OBJECT_ORDER(
     "Z-more", "hits with t above the depth",
     "at first the depth is NO_HIT, and no hit is farther away than that. The nearest hit counts.",
@@ -837,9 +835,9 @@ OBJECT_ORDER("Z-one", "one depth for all pixels",
 
 // As without the braces of an if: the statements for nearer hits are executed for every pixel.
 EACH_PIXEL("O-braces", "every sphere paints every pixel",
-           "the depths are right, but the colour changes whether the sphere is nearer or not. An "
+           "the depths are right, but the color changes whether the sphere is nearer or not. An "
            "if without braces ends after one statement.",
-           "everything in the last sphere's colour",
+           "everything in the last sphere's color",
            image_set(image, pixel_number(i, size), flat_color(scene, scene->sphere_count - 1)))
 EACH_PIXEL("Z-way", "the distance to the hit",
            "the depth is t, which counts in lengths of the ray's direction; and these differ from "

@@ -1,5 +1,5 @@
 // facts.c - what the laws of exercise 07 need to know: cosines, what hides a light, and what each
-// part of a colour adds.
+// part of a color adds.
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
@@ -66,7 +66,7 @@ FACTS(shade)
         color_fact(with_lights(scene, ray, hit, i, i + 1) - ambient);
 }
 
-// The colour of shade, and the sphere that is hit.
+// The color of shade, and the sphere that is hit.
 FACTS(trace_ray)
 {
     Hit hit = nearest_hit(ray, scene);

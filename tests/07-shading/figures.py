@@ -21,7 +21,7 @@ COLUMNS, ROWS, SAMPLES = 920, 690, 2
 
 
 def meets(origin, direction, center):
-    """The point where a line of unit direction enters a sphere, from the centre's distance to it."""
+    """The point where a line of unit direction enters a sphere, from the center's distance to it."""
     to_center = plus(center, origin, -1)
     ahead = dot(to_center, direction)
     square = RADIUS ** 2 - (dot(to_center, to_center) - ahead ** 2)
@@ -192,7 +192,7 @@ BALLS = [((0, -0.4), 1.5), ((0.2, 2.6), 0.45), ((4.1, 2.7), 0.9)]
 
 
 def first(start, way, without=None):
-    """The nearest distance along a direction at which a circle is met, by the centre's distance from the line; and which."""
+    """The nearest distance along a direction at which a circle is met, by the center's distance from the line; and which."""
     found = [(math.inf, None)]
     for i, ((x, y), r) in enumerate(BALLS):
         turned = angle(start, (x, y)) - way

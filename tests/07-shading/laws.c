@@ -1,5 +1,5 @@
 // laws.c - the laws of exercise 07: directions and lengths of vectors, a step off a surface,
-// colours for a display, shares of light, and what is lit.
+// colors for a display, shares of light, and what is lit.
 #include "exercises/07-shading.h"
 
 #include "tests/judge/law.h"
@@ -36,11 +36,11 @@ LAW(surface_normal)
     double length = vec3_length(yours);
     if (length > 0 && vec3_dot(yours, right) < 0) {
         law_broken("your normal points into the sphere: %s degrees from the direction outward, "
-                   "from the centre to the point",
+                   "from the center to the point",
                    number_text_to(degrees_between(yours, right), 4).s);
     } else if (length > 0 && !(degrees_between(yours, right) <= 60 * rounding)) {
         law_broken(
-            "your normal is %s degrees off the direction outward, from the centre to the point",
+            "your normal is %s degrees off the direction outward, from the center to the point",
             number_text_to(degrees_between(yours, right), 4).s);
     } else if (!(fabs(length - 1) <= rounding)) {
         Apart a = apart(length, 1);
@@ -130,7 +130,7 @@ LAW(offset_from_surface)
         law_broken("your point has also moved to the side, by %s", number_text_to(aside, 3).s);
 }
 
-// ---- laws of the colours for a display: they fit, and the display shows them as intended --------
+// ---- laws of the colors for a display: they fit, and the display shows them as intended --------
 
 static const char *const names[] = {"red", "green", "blue"};
 
@@ -172,7 +172,7 @@ LAW(gamma_encode)
     }
 }
 
-// ---- laws of the terms: the share of each light that comes back, colour by colour ---------------
+// ---- laws of the terms: the share of each light that comes back, color by color ---------------
 
 static bool color_not_finite(Color color)
 {
@@ -184,7 +184,7 @@ static bool color_not_finite(Color color)
     return false;
 }
 
-// The share, in each colour; 'of' names the whole.
+// The share, in each color; 'of' names the whole.
 static void is_share(Color yours, double share, const char *why, Color of, const char *of_what)
 {
     for (int i = 0; i < 3; i++) {
@@ -335,40 +335,40 @@ LAW(shade)
         if (close_to(gives, vec3_of(0, 0, 0), tolerance))
             continue;
         if (close_to(yours, right - gives, tolerance))
-            law_broken("in your colour light %d is missing: it arrives, and adds %s", i,
+            law_broken("in your color light %d is missing: it arrives, and adds %s", i,
                        vec3_text(gives).s);
         else if (close_to(yours, right + gives, tolerance))
-            law_broken("in your colour light %d is counted twice", i);
+            law_broken("in your color light %d is counted twice", i);
     }
     Apart both = apart_vec3(yours, right);
     if (close_to(yours, right - ambient, tolerance))
-        law_broken("in your colour the ambient light is missing: it adds %s", vec3_text(ambient).s);
+        law_broken("in your color the ambient light is missing: it adds %s", vec3_text(ambient).s);
     else
-        law_broken("your colour is %s. Ambient light adds %s, and the lights that arrive %s",
+        law_broken("your color is %s. Ambient light adds %s, and the lights that arrive %s",
                    both.yours.s, vec3_text(ambient).s, vec3_text(right - ambient).s);
 }
 
 LAW(trace_ray)
 {
-    // The colour in a mirror depends on how far off its surface a ray starts.
+    // The color in a mirror depends on how far off its surface a ray starts.
     const double tolerance = 1e-5;
     Color own = color_fact(0);
     int sphere = (int)law_facts()[3];
     if (close_to(yours, right, tolerance))
         return;
     if (sphere < 0) {
-        law_broken("the ray hits nothing, so its colour is the background's, %s; yours is %s",
+        law_broken("the ray hits nothing, so its color is the background's, %s; yours is %s",
                    vec3_text(scene->background).s, vec3_text(yours).s);
         return;
     }
     double ks = scene_surface(scene, sphere)->specular;
     if (depth <= 0 || ks == 0)
-        law_broken("the ray hits sphere %d, %s: so its colour is that of shade, %s; yours is %s",
+        law_broken("the ray hits sphere %d, %s: so its color is that of shade, %s; yours is %s",
                    sphere, ks == 0 ? "which is not a mirror" : "and depth is 0", vec3_text(own).s,
                    vec3_text(yours).s);
     else
         law_broken("the ray hits sphere %d. shade returns %s, the mirrored ray sees %s, and ks is "
-                   "%s; your colour is %s",
+                   "%s; your color is %s",
                    sphere, vec3_text(own).s, vec3_text((right - own) / ks).s, number_text(ks).s,
                    vec3_text(yours).s);
 }

@@ -233,7 +233,7 @@ RIGHT_LINE(offset_from_surface, "as little as the contract allows",
 RIGHT_LINE(offset_from_surface, "as far as the contract allows",
            return point + 0x1p-28 * size_of(sphere) * normal)
 // At most the square root of 3 times the size.
-RIGHT_LINE(offset_from_surface, "the length of the centre instead of its largest coordinate",
+RIGHT_LINE(offset_from_surface, "the length of the center instead of its largest coordinate",
            return point + 1e-9 * (sphere.radius + vec3_length(sphere.center)) * normal)
 
 RIGHT(offset_from_surface, "coordinate by coordinate")
@@ -268,8 +268,8 @@ RIGHT(visibility, "unit directions and lengths")
     return visible;
 }
 
-// The distance of each centre from the way; or one end inside, the other not.
-RIGHT(visibility, "the distance of each centre from the way")
+// The distance of each center from the way; or one end inside, the other not.
+RIGHT(visibility, "the distance of each center from the way")
 {
     vec3 way = ray_to_light(from, light).direction;
     for (const Sphere *s = scene->spheres; s < scene->spheres + scene->sphere_count; s++) {
@@ -323,7 +323,7 @@ RIGHT(shade, "recursion over the lights")
     return of_lights(&lit, 0);
 }
 
-RIGHT(shade, "colour by colour, in long double")
+RIGHT(shade, "color by color, in long double")
 {
     Sphere sphere = scene->spheres[hit.sphere];
     const Surface *s = scene_surface(scene, hit.sphere);

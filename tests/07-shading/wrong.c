@@ -1,6 +1,6 @@
 // wrong.c - wrong answers to exercise 07.
 //
-// The letters of formulas are those of the lesson. In code c is a centre, a colour or one of its
+// The letters of formulas are those of the lesson. In code c is a center, a color or one of its
 // numbers.
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
@@ -52,15 +52,15 @@ static Color not_below_0(Color c)
 
 NORMAL("W2", "point / |point|",
        "this points away from the origin of the world. A sphere's normal points away from its own "
-       "centre.",
+       "center.",
        "shading that is right only for a sphere around the origin", vec3_unit(point))
 NORMAL("W2-r", "point / r",
-       "a radius leads from the centre to the point, but the centre is missing.",
+       "a radius leads from the center to the point, but the center is missing.",
        "shading that is right only for a sphere around the origin", point / r)
 NORMAL("W2-point", "the point itself",
        "this is the vector from the origin of the world, and its length is arbitrary.",
        "spheres too bright, lit from wrong sides", point)
-NORMAL("W3", "(c - point) / |c - point|", "this points into the sphere, to its centre.",
+NORMAL("W3", "(c - point) / |c - point|", "this points into the sphere, to its center.",
        "dark where it should be light, and light where it should be dark", vec3_unit(c - point))
 NORMAL("W3-length", "c - point", "this points into the sphere, and is as long as its radius.",
        "dark where it should be light, and light where it should be dark", c - point)
@@ -74,7 +74,7 @@ NORMAL("W-squared", "(point - c) / r^2",
 NORMAL("W-times", "(point - c) r", "point - c has length r already: divide by r.",
        "large spheres too bright, small ones nearly black", (point - c) * r)
 NORMAL("W-plus", "(point + c) / |point + c|",
-       "the vector from the centre to the point is the point minus the centre.",
+       "the vector from the center to the point is the point minus the center.",
        "spheres lit from wrong sides, worse the farther they are from the origin",
        vec3_unit(point + c))
 NORMAL("W-scalar", "point - c - r",
@@ -236,7 +236,7 @@ MIRRORED("MI-swapped", "n - 2 (v.n) v", "v and n are swapped: this is the normal
 
 #define AXIS_ROW(axis, x, y, z)                                                                    \
     NORMAL("W-minus-" #axis, #axis " with the wrong sign",                                         \
-           "each coordinate is the point's minus the centre's.", "spheres lit from a wrong side",  \
+           "each coordinate is the point's minus the center's.", "spheres lit from a wrong side",  \
            vec3_of(x, y, z) * surface_normal(sphere, point))                                       \
     MIRRORED("MI-minus-" #axis, #axis " with the wrong sign",                                      \
              "all three coordinates are v - 2 (v.n) n.", "mirrors that show the wrong side",       \
@@ -261,44 +261,42 @@ AMBIENT("AM-kd-less-1", "(1 - kd) * surface * ambient",
         "bright surfaces dark in the shadow, and dark ones bright",
         return (1 - kd) * surface * ambient)
 AMBIENT("AM-surface", "kd * ambient",
-        "a red surface reflects only red light: its colour is missing.",
+        "a red surface reflects only red light: its color is missing.",
         "all spheres the same grey in the shadow", return kd * ambient)
 AMBIENT("AM-ambient", "kd * surface",
         "without ambient light it must be black: the light is missing.",
         "flat discs, as if there were no shadow", return kd * surface)
-AMBIENT("AM-alone", "ambient", "this is the light. The surface reflects kd times its colour of it.",
+AMBIENT("AM-alone", "ambient", "this is the light. The surface reflects kd times its color of it.",
         "all spheres the same grey in the shadow", return ambient)
 AMBIENT("AM-tenth", "0.1 * kd * surface",
         "a tenth of white is only the default of scenes. Use the argument.",
         "the same, however bright the ambient light", return 0.1 * kd * surface)
-AMBIENT(
-    "AM-plus", "kd * (surface + ambient)",
-    "colours add up when two lights come together. A surface multiplies the light by its colour.",
-    "pale shadows", return kd * (surface + ambient))
-AMBIENT(
-    "AM-plus-behind", "kd * surface + ambient",
-    "colours add up when two lights come together. A surface multiplies the light by its colour.",
-    "pale shadows", return kd * surface + ambient)
+AMBIENT("AM-plus", "kd * (surface + ambient)",
+        "colors add up when two lights come together. A surface multiplies the light by its color.",
+        "pale shadows", return kd * (surface + ambient))
+AMBIENT("AM-plus-behind", "kd * surface + ambient",
+        "colors add up when two lights come together. A surface multiplies the light by its color.",
+        "pale shadows", return kd * surface + ambient)
 AMBIENT("AM-plus-all", "kd + surface + ambient",
-        "multiply by the fraction, and by the colour of the surface as well.",
+        "multiply by the fraction, and by the color of the surface as well.",
         "nearly white spheres", return kd + surface + ambient)
 AMBIENT("AM-mixed", "kd * surface + (1 - kd) * ambient",
-        "this is a mixture of two colours. A surface multiplies the light by its own colour.",
+        "this is a mixture of two colors. A surface multiplies the light by its own color.",
         "pale shadows", return kd * surface + (1 - kd) * ambient)
 AMBIENT("AM-dot", "kd * (surface . ambient)",
-        "a dot product adds up the three colours to one number. Red stays with red: * multiplies "
+        "a dot product adds up the three colors to one number. Red stays with red: * multiplies "
         "component by component.",
         "grey shadows", return kd * grey(vec3_dot(surface, ambient)))
 AMBIENT(
     "AM-cross", "kd * (surface x ambient)",
     "a cross product is for directions. Red stays with red: * multiplies component by component.",
-    "odd colours, and some below 0", return kd * vec3_cross(surface, ambient))
+    "odd colors, and some below 0", return kd * vec3_cross(surface, ambient))
 AMBIENT("AM-grey", "kd * surface * (mean of ambient)",
-        "the light also has a colour: red times red, green times green, blue times blue.",
-        "shadows that do not take on the light's colour", return kd * mean(ambient) * surface)
+        "the light also has a color: red times red, green times green, blue times blue.",
+        "shadows that do not take on the light's color", return kd * mean(ambient) * surface)
 AMBIENT("AM-red", "kd * surface * ambient[0]",
         "this is only the red of the light: red times red, green times green, blue times blue.",
-        "shadows that do not take on the light's colour", return kd * ambient[0] * surface)
+        "shadows that do not take on the light's color", return kd * ambient[0] * surface)
 AMBIENT("AM-clip", "no more than 1", "light is clamped once, at the end, by clamp_color.",
         "no visible difference at first; sums of bright lights come out too dark",
         return at_most_1(kd * surface * ambient))
@@ -306,7 +304,7 @@ AMBIENT("AM-pi", "kd * surface * ambient / pi",
         "some books divide by pi, with another definition of kd. Here kd is the whole factor.",
         "everything in shadow too dark", return kd * surface * ambient / PI)
 
-// cosine is the right one, raw is below 0 if the light is behind; color both colours.
+// cosine is the right one, raw is below 0 if the light is behind; color both colors.
 #define DIFFUSE(id, formula, why, picture, statement)                                              \
     WRONG(diffuse_term, id, formula, why, picture)                                                 \
     {                                                                                              \
@@ -343,36 +341,34 @@ DIFFUSE("DI-kd-twice", "kd^2", "kd is the fraction that is scattered: multiply b
 DIFFUSE("DI-kd-less-1", "1 - kd", "kd is the fraction that is scattered, not the rest.",
         "bright surfaces dark, and dark ones bright", return (1 - kd) * cosine * color)
 DIFFUSE("DI-surface", "kd * light * max(0, n.l)",
-        "a red surface reflects only red light: its colour is missing.",
-        "spheres of plaster, all in the colour of the light", return kd * cosine * light)
+        "a red surface reflects only red light: its color is missing.",
+        "spheres of plaster, all in the color of the light", return kd * cosine * light)
 DIFFUSE("DI-light", "kd * surface * max(0, n.l)",
-        "the brightness and the colour of the light are missing.",
-        "the same picture, whatever the colour of the light", return kd * cosine * surface)
+        "the brightness and the color of the light are missing.",
+        "the same picture, whatever the color of the light", return kd * cosine * surface)
 DIFFUSE("DI-cosine", "1 if n.l > 0",
         "the lower the light, the wider it is spread: the cosine is missing.",
         "flat half-moons with a hard edge", return kd * (raw > 0 ? 1 : 0) * color)
 DIFFUSE("DI-flat", "kd * surface * light",
         "the lower the light, the wider it is spread: the cosine is missing.", "flat discs",
         return kd * color)
-DIFFUSE(
-    "DI-plus", "surface + light",
-    "colours add up when two lights come together. A surface multiplies the light by its colour.",
-    "pale spheres", return kd * cosine * (surface + light))
+DIFFUSE("DI-plus", "surface + light",
+        "colors add up when two lights come together. A surface multiplies the light by its color.",
+        "pale spheres", return kd * cosine * (surface + light))
 DIFFUSE("DI-plus-cosine", "kd * surface * light + cosine",
         "the cosine is the fraction of the light that arrives: multiply by it.",
         "pale spheres with large white areas", return kd * color + cosine)
 DIFFUSE("DI-dot", "surface . light",
-        "a dot product adds up the three colours to one number. Red stays with red: * multiplies "
+        "a dot product adds up the three colors to one number. Red stays with red: * multiplies "
         "component by component.",
         "grey spheres", return kd * cosine * grey(vec3_dot(surface, light)))
 DIFFUSE("DI-grey", "surface * (mean of light)",
-        "the light also has a colour: red times red, green times green, blue times blue.",
-        "spheres that do not take on the light's colour",
-        return kd * cosine * mean(light) * surface)
+        "the light also has a color: red times red, green times green, blue times blue.",
+        "spheres that do not take on the light's color", return kd * cosine * mean(light) * surface)
 DIFFUSE(
     "DI-product", "n * l, by components",
-    "* multiplies component by component, which is for colours. The cosine is vec3_dot of the two.",
-    "spheres in the colours of the rainbow", return kd * normal * vec3_unit(to_light) * color)
+    "* multiplies component by component, which is for colors. The cosine is vec3_dot of the two.",
+    "spheres in the colors of the rainbow", return kd * normal * vec3_unit(to_light) * color)
 DIFFUSE("DI-clip", "no more than 1", "light is clamped once, at the end, by clamp_color.",
         "no visible difference at first; sums of bright lights come out too dark",
         return at_most_1(kd * cosine * color))
@@ -496,14 +492,14 @@ static double mirrored_cosine(vec3 n, vec3 l, vec3 e)
     SLIP(which "-ks-less-1", "1 - ks", "ks is the fraction that is reflected, not the rest.",         \
          "dull surfaces with bright highlights, and polished ones without", h.ks = 1 - ks)         \
     SLIP(which "-light", "the light left out",                                                     \
-         "a highlight is an image of the light and has its colour.",                               \
+         "a highlight is an image of the light and has its color.",                               \
          "white highlights, whatever the light", h.light = grey(1))                                \
     SLIP(which "-plus", "power + light",                                                           \
          "the power is the fraction of the light that is seen: multiply the light by it.",            \
          "highlights as large as half of the sphere",                                              \
          return power(h) > 0 ? ks * (grey(power(h)) + light) : grey(0))                            \
     SLIP(which "-grey", "the mean of the light",                                                   \
-         "a highlight is an image of the light and has its colour.", "grey highlights",            \
+         "a highlight is an image of the light and has its color.", "grey highlights",            \
          h.light = grey(mean(light)))                                                              \
     SLIP(which "-power", "shine left out", "the power makes the highlight small.",                 \
          "highlights that are wide and dull", h.shine = 1)                                         \
@@ -676,7 +672,7 @@ BOTH("1e-6", "nothing if n.l is below 1e-6",
      "a low light also makes a highlight: only below 0 there is none.", "hardly anything",
      if (h.low < 1e-6) h.ks = 0)
 
-// ---- wrong ways to make a colour fit, and to encode it for a gamma ------------------------------
+// ---- wrong ways to make a color fit, and to encode it for a gamma ------------------------------
 
 // In formulas c is each of the three numbers.
 
@@ -695,11 +691,11 @@ BOTH("1e-6", "nothing if n.l is below 1e-6",
     }
 
 EACH("S7", "I unchanged", "a number above 1 or below 0 does not fit into a pixel.",
-     "speckles of wrong colours in the brightest spots", c)
+     "speckles of wrong colors in the brightest spots", c)
 EACH("S7-above", "min(1, I)", "a number below 0 does not fit into a pixel either.",
-     "speckles of wrong colours in the darkest spots", fmin(1, c))
+     "speckles of wrong colors in the darkest spots", fmin(1, c))
 EACH("S7-below", "max(0, I)", "a number above 1 does not fit into a pixel either.",
-     "speckles of wrong colours in the brightest spots", fmax(0, c))
+     "speckles of wrong colors in the brightest spots", fmax(0, c))
 EACH("CL-0", "0, whatever I is",
      "min(0, max(1, I)) gives this, for example. 'At least 0' is max(0, ...), 'at most 1' is "
      "min(1, ...).",
@@ -718,36 +714,36 @@ EACH("CL-white", "1 if I does not fit", "a number below 0 is nearest to 0, not t
      "white speckles in the darkest spots", c<0 || c> 1 ? 1 : c)
 EACH("CL-abs", "min(1, |I|)", "a negative number is nearest to 0, not to the positive one.",
      "bright speckles in the darkest spots", fmin(1, fabs(c)))
-EACH("CL-255", "at most 255", "colours go from 0 to 1 here; the image converts them to bytes.",
-     "speckles of wrong colours in the brightest spots", fmin(255, fmax(0, c)))
-EACH("CL-255-times", "255 I", "colours go from 0 to 1 here; the image converts them to bytes.",
+EACH("CL-255", "at most 255", "colors go from 0 to 1 here; the image converts them to bytes.",
+     "speckles of wrong colors in the brightest spots", fmin(255, fmax(0, c)))
+EACH("CL-255-times", "255 I", "colors go from 0 to 1 here; the image converts them to bytes.",
      "everything that is not black is too bright", 255 * right)
-EACH("CL-minus", "at least -1", "colours start at 0; cosines start at -1.",
-     "speckles of wrong colours in the darkest spots", fmin(1, fmax(-1, c)))
+EACH("CL-minus", "at least -1", "colors start at 0; cosines start at -1.",
+     "speckles of wrong colors in the darkest spots", fmin(1, fmax(-1, c)))
 EACH("CL-round", "0 or 1, whichever is nearer", "a number in between fits, and must not change.",
-     "a poster of eight colours", c < 0.5 ? 0 : 1)
+     "a poster of eight colors", c < 0.5 ? 0 : 1)
 EACH("CL-compress", "I / (1 + I)",
-     "this also changes colours that fit. A number between 0 and 1 must not change.",
+     "this also changes colors that fit. A number between 0 and 1 must not change.",
      "a dull picture", fmax(0, c) / (1 + fmax(0, c)))
 EACH("CL-expose", "1 - exp(-I)",
-     "this also changes colours that fit. A number between 0 and 1 must not change.",
+     "this also changes colors that fit. A number between 0 and 1 must not change.",
      "a dull picture", 1 - exp(-fmax(0, c)))
 CLAMPED("CL-scale", "divided by the largest, if that is above 1",
         "this also darkens the other two. Each number is clamped by itself.",
-        "highlights in the colour of the surface", color / fmax(1, largest(color)))
+        "highlights in the color of the surface", color / fmax(1, largest(color)))
 CLAMPED("CL-scale-0", "divided by the largest above 1, and at least 0",
         "this also darkens the other two. Each number is clamped by itself.",
-        "highlights in the colour of the surface", not_below_0(color / fmax(1, largest(color))))
+        "highlights in the color of the surface", not_below_0(color / fmax(1, largest(color))))
 CLAMPED("CL-scale-all", "divided by the largest",
-        "this also changes colours that fit, and makes every pixel as bright as possible.",
+        "this also changes colors that fit, and makes every pixel as bright as possible.",
         "spheres without a dark side", color / largest(color))
 CLAMPED("CL-length", "normalised if it is longer than 1",
-        "a colour is not a direction: each of its numbers may be up to 1 by itself.",
+        "a color is not a direction: each of its numbers may be up to 1 by itself.",
         "a picture without white", color / fmax(1, vec3_length(color)))
 EACH("CL-red", "only red clamped", "all three must fit.",
-     "speckles of wrong colours in the brightest spots", i == 0 ? right : c)
+     "speckles of wrong colors in the brightest spots", i == 0 ? right : c)
 EACH("CL-two", "blue left out", "three numbers are 0, 1 and 2: the loop ends too early.",
-     "speckles of wrong colours in the brightest spots", i < 2 ? right : c)
+     "speckles of wrong colors in the brightest spots", i < 2 ? right : c)
 CLAMPED("CL-all", "all white if one is above 1",
         "each number is clamped by itself, and the others do not change.",
         "white spots with hard edges", largest(color) > 1 ? grey(1) : not_below_0(color))
@@ -815,11 +811,11 @@ GAMMA("GA-turned", "1 - (1 - I)^gamma",
       "this is brighter as well, but the display does not undo it. It undoes I^(1 / gamma).",
       "bright parts too bright", 1 - pow(1 - c, gamma))
 GAMMA("GA-255", "255 I^(1 / gamma)",
-      "colours go from 0 to 1 here; the image converts them to bytes.",
+      "colors go from 0 to 1 here; the image converts them to bytes.",
       "everything that is not black is too bright", 255 * right)
-GAMMA("GA-255-in", "(I / 255)^(1 / gamma)", "colours already go from 0 to 1.",
+GAMMA("GA-255-in", "(I / 255)^(1 / gamma)", "colors already go from 0 to 1.",
       "a picture far too dark", pow(c / 255, 1 / gamma))
-GAMMA("GA-255-both", "255 (I / 255)^(1 / gamma)", "colours already go from 0 to 1.",
+GAMMA("GA-255-both", "255 (I / 255)^(1 / gamma)", "colors already go from 0 to 1.",
       "everything that is not black is too bright", 255 * pow(c / 255, 1 / gamma))
 GAMMA("GA-red", "only red encoded", "the display does the same to all three.", "a reddish picture",
       i == 0 ? right : c)
@@ -827,14 +823,14 @@ GAMMA("GA-two", "blue left out", "three numbers are 0, 1 and 2: the loop ends to
       "a yellowish picture", i < 2 ? right : c)
 
 WRONG(gamma_encode, "GA-mean", "the mean encoded, the hue kept",
-      "the display raises each of the three to the power by itself.", "colours that are too strong")
+      "the display raises each of the three to the power by itself.", "colors that are too strong")
 {
     return mean(color) > 0 ? color / mean(color) * pow(mean(color), 1 / gamma) : color;
 }
 
 WRONG(gamma_encode, "GA-length", "the length encoded",
-      "a colour is not a direction. The display raises each of the three to the power by itself.",
-      "colours that are too strong")
+      "a color is not a direction. The display raises each of the three to the power by itself.",
+      "colors that are too strong")
 {
     double length = vec3_length(color);
     return length > 0 ? color / length * pow(length, 1 / gamma) : color;
@@ -842,9 +838,9 @@ WRONG(gamma_encode, "GA-length", "the length encoded",
 
 #define ONLY_ROW(id, what, which)                                                                  \
     EACH("CL-" id, what " clamped", "all three must fit.",                                         \
-         "speckles of wrong colours in the brightest spots", which ? right : c)                    \
+         "speckles of wrong colors in the brightest spots", which ? right : c)                     \
     GAMMA("GA-" id, what " encoded", "the display does the same to all three.",                    \
-          "a picture in false colours", which ? right : c)
+          "a picture in false colors", which ? right : c)
 
 ONLY_ROW("green", "only green", i == 1)
 ONLY_ROW("blue", "only blue", i == 2)
@@ -853,7 +849,7 @@ ONLY_ROW("but-green", "only red and blue", i != 1)
 
 WRONG(clamp_color, "CL-and", "clamped only if all three do not fit",
       "each number is clamped by itself, whether the others fit or not.",
-      "speckles of wrong colours in the brightest spots")
+      "speckles of wrong colors in the brightest spots")
 {
     bool above = color[0] > 1 && color[1] > 1 && color[2] > 1,
          below = color[0] < 0 && color[1] < 0 && color[2] < 0;
@@ -897,21 +893,21 @@ OFF("O-plus", "p + 2^-30 size",
     "adding a number to a vector adds it to each coordinate. Multiply the normal by it, and add "
     "that.",
     "speckles on half of every sphere", p + e * s)
-OFF("O-centre", "c + (r + 2^-30 size) n",
+OFF("O-center", "c + (r + 2^-30 size) n",
     "if the normal points inward, this is a point on the opposite side of the sphere.",
     "right outside; hollow spheres dark inside", c + (r + e * s) * n)
 OFF("O-step", "2^-30 size n", "this is only the step: start at p and add it.",
     "shadows and mirrors as if everything were at the origin of the world", (e * s) * n)
 OFF("O-radius", "p + 2^-30 r n",
     "far from the origin of the world numbers are coarse, even on a small sphere: include the "
-    "coordinates of the centre.",
+    "coordinates of the center.",
     "speckles on small spheres that are far away from the origin", p + e * r * n)
 OFF("O-coordinate", "p + 2^-30 max(|cx|, |cy|, |cz|) n",
     "near the origin of the world that is almost 0. Include the radius.",
     "speckles on spheres around the origin", p + e * largest_coordinate(c) * n)
 OFF("O-point", "p + 2^-30 max(|px|, |py|, |pz|) n",
     "near the origin of the world that is almost 0, but p was computed from large numbers: radius "
-    "and centre.",
+    "and center.",
     "speckles where a large sphere passes near the origin", p + e * largest_coordinate(p) * n)
 OFF("O-x", "p + 2^-30 (r + |cx|) n", "the largest of the three coordinates counts, x, y or z.",
     "speckles on spheres that are far up or far ahead", p + e * (r + fabs(c[0])) * n)
@@ -1101,8 +1097,8 @@ SHADOW("R6-shadow", "far roots only",
        "a light inside a sphere is hidden by the side where the ray enters.",
        "lamps that shine out of closed spheres", is_free_of_roots(scene, 1, ray, 0, reach))
 
-WRONG(visibility, "V-centre", "hits of spheres whose centre is nearer than the light",
-      "light and point may be in front of a sphere's centre, or inside it. The hit on its surface "
+WRONG(visibility, "V-center", "hits of spheres whose center is nearer than the light",
+      "light and point may be in front of a sphere's center, or inside it. The hit on its surface "
       "counts.",
       "parts of shadows missing near lamps")
 {
@@ -1282,16 +1278,16 @@ AT("S-only-ambient", "ambient alone",
    "to the light start on the eye's side of the surface, or below it? And does the vector point to "
    "the light, or away from it?",
    "flat and dark spheres", return ambient_of(p))
-AT("S-flat", "the surface's colour",
+AT("S-flat", "the surface's color",
    "that is chapter 06: now the lights decide how much of it is seen.", "flat spheres, as before",
    return p.surface->color)
 AT("S-clamp", "the sum, at most 1",
-   "colours are clamped only at the very end, by clamp_color; in a mirror this one may be just "
+   "colors are clamped only at the very end, by clamp_color; in a mirror this one may be just "
    "right.",
    "no visible difference, except for dull highlights in mirrors", return clamp_color(all_of(p)))
-AT("S-twice", "the whole sum times the surface's colour",
-   "the terms contain the colour already; and highlights have that of the light.",
-   "colours too dark, highlights as if of coloured metal", return all_of(p) * p.surface->color)
+AT("S-twice", "the whole sum times the surface's color",
+   "the terms contain the color already; and highlights have that of the light.",
+   "colors too dark, highlights as if of colored metal", return all_of(p) * p.surface->color)
 AT("S-each", "ambient once for each light",
    "it does not depend on the lights: add it once, before the loop.",
    "pale shadows where there are several lights",
@@ -1303,8 +1299,8 @@ AT("S-average-all", "the mean of ambient and all lights",
    "two lamps give more light than one: all of it adds up.",
    "darker with every light that is added", return all_of(p) / (1 + scene->light_count))
 AT("S-raw", "the ambient light itself",
-   "the surface reflects only its part of it: ambient_term has kd and the colour.",
-   "grey shadows on surfaces of any colour", return scene->ambient + lights_of(p))
+   "the surface reflects only its part of it: ambient_term has kd and the color.",
+   "grey shadows on surfaces of any color", return scene->ambient + lights_of(p))
 AT("S-kd", "ambient without kd",
    "the surface scatters only kd of the ambient light as well: ambient_term.", "pale shadows",
    return p.surface->color * scene->ambient + lights_of(p))
@@ -1313,7 +1309,7 @@ AT("S-nff", "SCENE_AMBIENT instead of the scene's ambient light",
    "no visible difference, until a scene has another ambient light",
    return SCENE_AMBIENT * p.kd * p.surface->color + lights_of(p))
 AT("S-background", "the background as ambient light", "the scene has both, and they differ.",
-   "shadows in the colour of the sky",
+   "shadows in the color of the sky",
    return ambient_term(p.surface->color, p.kd, scene->background) + lights_of(p))
 AT("S-mirror", "plus ks times the background",
    "mirrors come later, in trace_ray; here there are only lights.", "everything glows a little",
@@ -1321,11 +1317,11 @@ AT("S-mirror", "plus ks times the background",
 AT("S-index", "the surface of the sphere's number",
    "spheres and surfaces are numbered separately; each sphere has the number of its surface: "
    "scene_surface.",
-   "spheres in each other's colours", p = place_on(&scene->surfaces[hit.sphere], scene, ray, hit))
+   "spheres in each other's colors", p = place_on(&scene->surfaces[hit.sphere], scene, ray, hit))
 AT("S-surface0", "always surface 0", "each sphere has the number of its surface: scene_surface.",
-   "all spheres in one colour", p = place_on(&scene->surfaces[0], scene, ray, hit))
+   "all spheres in one color", p = place_on(&scene->surfaces[0], scene, ray, hit))
 AT("S-sphere0", "the surface of sphere 0", "the hit has the index of its sphere.",
-   "all spheres in the colour of the first", p = place_on(scene_surface(scene, 0), scene, ray, hit))
+   "all spheres in the color of the first", p = place_on(scene_surface(scene, 0), scene, ray, hit))
 AT("S-turn", "the normal outward, even from inside",
    "from inside the other side of the surface is visible: reverse the normal if it points away "
    "from the eye.",
@@ -1339,7 +1335,7 @@ AT("W3-shade", "the normal on the side away from the eye",
    p.start = offset_from_surface(p.sphere, p.point, p.normal))
 AT("W-unit", "p - c as normal", "this is as long as the radius: divide by it.",
    "large spheres too bright", p.normal *= p.sphere.radius)
-AT("W2-shade", "p / |p| as normal", "the vector from the centre to the point is p - c.",
+AT("W2-shade", "p / |p| as normal", "the vector from the center to the point is p - c.",
    "right only for a sphere at the origin of the world", p.normal = vec3_unit(p.point))
 AT("S-eye", "the ray's direction as direction to the eye",
    "the ray comes from the eye. The direction to the eye is the opposite, -v.",
@@ -1406,7 +1402,7 @@ AT("L-diffuse", "no diffuse term",
 AT("L-count", "a loop up to i <= light_count",
    "n lights have the numbers 0 to n - 1. There is no light number light_count: reading past the "
    "end of an array can give anything.",
-   "a light that was never set, in any colour, or a crash",
+   "a light that was never set, in any color, or a crash",
    return all_of(p) + both_of(lit_by(p, GUARD_LIGHT)))
 AT("L-specular", "no specular term",
    "each light that arrives adds both: the diffuse term and the highlight.",
@@ -1423,17 +1419,17 @@ EACH_LIGHT("L-inverted", "lights added only if they do not arrive",
            "visibility is 1 if the light arrives.", "light only where shadows should be",
            l.scattered = l.mirrored = (1 - l.visible) * l.color)
 EACH_LIGHT("L-white", "all lights white, with brightness 1",
-           "each light has its own colour: how much red, green and blue it sends.",
-           "coloured lights look white, weak ones as bright as others",
+           "each light has its own color: how much red, green and blue it sends.",
+           "colored lights look white, weak ones as bright as others",
            l.scattered = l.mirrored = grey(l.visible))
 EACH_LIGHT("L-white-d", "diffuse as if of a white light",
-           "the diffuse term is the colour of the surface times that of the light.",
-           "only highlights show the colour of the light", l.scattered = grey(l.visible))
-EACH_LIGHT("L-white-s", "highlights always white", "highlights have the colour of the light.",
-           "white highlights in coloured light", l.mirrored = grey(l.visible))
-EACH_LIGHT("L-metal", "specular times the surface's colour",
-           "Phong's highlight has the colour of the light, whatever the surface's is.",
-           "highlights as if of coloured metal", l.mirrored *= l.surface->color)
+           "the diffuse term is the color of the surface times that of the light.",
+           "only highlights show the color of the light", l.scattered = grey(l.visible))
+EACH_LIGHT("L-white-s", "highlights always white", "highlights have the color of the light.",
+           "white highlights in colored light", l.mirrored = grey(l.visible))
+EACH_LIGHT("L-metal", "specular times the surface's color",
+           "Phong's highlight has the color of the light, whatever the surface's is.",
+           "highlights as if of colored metal", l.mirrored *= l.surface->color)
 AT("L-swapped", "kd and ks swapped", "kd belongs to the diffuse term, ks to the highlight.",
    "shiny objects dull, dull objects shiny", p.kd = p.surface->specular;
    p.ks = p.surface->diffuse)
@@ -1461,7 +1457,7 @@ EACH_LIGHT("L-eye", "the direction to the eye instead of the direction to the li
            "the ray comes from the eye; the light is elsewhere.",
            "as if there were a lamp at the eye", l.to_light = l.to_eye)
 EACH_LIGHT("L-clamp", "each light at most 1",
-           "colours are clamped only at the very end, by clamp_color.",
+           "colors are clamped only at the very end, by clamp_color.",
            "no visible difference, except for bright lights in mirrors",
            sum += at_most_1(both_of(l));
            continue)
@@ -1544,7 +1540,7 @@ LIGHTS("L-sky", "the background if no light arrives",
            "no visible difference, until a scene has more lights",                                 \
            with_lights(scene, 0, count < number ? count : number, ray, hit))
 #define FIELDS(id, formula, why, ...)                                                              \
-    AT(id, formula, why, "highlights or colours of another surface", __VA_ARGS__)
+    AT(id, formula, why, "highlights or colors of another surface", __VA_ARGS__)
 
 LIGHTS_ROW(4)
 LIGHTS_ROW(8)
@@ -1569,24 +1565,24 @@ FIELDS("L-rest-kd", "1 - ks instead of kd", "kd + ks need not be 1: the surface 
 
 // ---- wrong answers to trace_ray -----------------------------------------------------------------
 
-// A ray, and what is made of the colour that it sees.
+// A ray, and what is made of the color that it sees.
 typedef struct {
     const Scene *scene;
     Ray ray;
     int depth;
     int mirrors;            // that it comes from
-    double share, first_ks; // how much of its colour they return, and the ks of the first
+    double share, first_ks; // how much of its color they return, and the ks of the first
     int unseen;             // a sphere that it does not hit; -1: none
     Hit hit;
     Lit p;           // the place of the hit
-    Color own, seen; // the colours of that place and of the mirrored ray
+    Color own, seen; // the colors of that place and of the mirrored ray
     Ray mirrored;
     int mirrored_depth;
     Color sum;
 } Look;
 
 // When a slip changes something: if nothing is hit; before the mirrored ray is followed; after its
-// colour was added; or in any case at the end.
+// color was added; or in any case at the end.
 typedef enum { MISSES, AIMS, ADDS, ENDS } Moment;
 typedef void Slip(Look *look, Moment now);
 
@@ -1665,7 +1661,7 @@ MIRROR(AIMS, "T-once", "v - (v.n) n",
        look->mirrored.direction = (look->ray.direction + look->mirrored.direction) / 2)
 MIRROR(AIMS, "T-eye", "the mirrored ray from the eye", "it starts at the point of the hit.",
        "mirrors show the scene beside the eye", look->mirrored.origin = look->ray.origin)
-MIRROR(AIMS, "T-centre", "the mirrored ray from the centre", "it starts at the point of the hit.",
+MIRROR(AIMS, "T-center", "the mirrored ray from the center", "it starts at the point of the hit.",
        "every ball shows its own inside", look->mirrored.origin = look->p.sphere.center)
 MIRROR(AIMS, "T-acne", "the mirrored ray from the surface itself",
        "rounding leaves the point on either side of the surface, and from below the ray hits the "
@@ -1698,51 +1694,51 @@ MIRROR_ROW(1e-9, "1e-9")
 MIRROR(AIMS, "T-itself", "a mirrored ray that cannot hit its own sphere",
        "from outside it does not, but inside a hollow ball it hits the other side.",
        "hollow mirrors without mirror images", look->unseen = look->hit.sphere)
-MIRROR(AIMS, "T-ks", "all of the mirrored colour", "specular says how much of it comes back.",
+MIRROR(AIMS, "T-ks", "all of the mirrored color", "specular says how much of it comes back.",
        "every shiny object a perfect mirror", look->p.ks = look->p.ks == 0 ? 0 : 1)
-MIRROR(AIMS, "T-kd", "kd times the mirrored colour",
+MIRROR(AIMS, "T-kd", "kd times the mirrored color",
        "kd belongs to the diffuse term; the mirror has ks.",
        "bright objects mirror, whether shiny or not", look->p.ks = look->p.ks == 0 ? 0 : look->p.kd)
-MIRROR(AIMS, "T-rest", "1 - kd times the mirrored colour",
+MIRROR(AIMS, "T-rest", "1 - kd times the mirrored color",
        "kd + ks need not be 1: the surface has its own ks.", "mirrors too strong or too weak",
        look->p.ks = look->p.ks == 0 ? 0 : 1 - look->p.kd)
-MIRROR(AIMS, "T-square", "ks times ks of the mirrored colour",
+MIRROR(AIMS, "T-square", "ks times ks of the mirrored color",
        "each mirror multiplies by its ks once.", "mirrors too weak", look->p.ks *= look->p.ks)
 MIRROR(ADDS, "T-blend", "(1 - ks) times shade + ks times the mirror",
-       "kd and ks already say how much there is of each; keep the whole colour of shade.",
+       "kd and ks already say how much there is of each; keep the whole color of shade.",
        "shiny objects too dark", look->sum -= look->p.ks * look->own)
-MIRROR(ADDS, "T-color", "the mirror in the surface's colour",
-       "here mirrors are like highlights: they do not change the colour.",
-       "mirrors as if of coloured metal",
+MIRROR(ADDS, "T-color", "the mirror in the surface's color",
+       "here mirrors are like highlights: they do not change the color.",
+       "mirrors as if of colored metal",
        look->sum = look->own + look->p.ks * look->p.surface->color * look->seen)
 MIRROR(ADDS, "T-only", "ks times the mirror, without shade",
-       "the surface still reflects its lights: add the colour of shade.",
-       "shiny objects without their own colour", look->sum -= look->own)
+       "the surface still reflects its lights: add the color of shade.",
+       "shiny objects without their own color", look->sum -= look->own)
 MIRROR(ADDS, "T-both", "ks times (shade + the mirror)",
-       "the colour of shade has its kd and ks already; multiply only the mirror.",
+       "the color of shade has its kd and ks already; multiply only the mirror.",
        "shiny objects too dark", look->sum = look->p.ks * (look->own + look->seen))
-MIRROR(ADDS, "T-times", "shade times the mirror", "light adds up: add the two colours.",
+MIRROR(ADDS, "T-times", "shade times the mirror", "light adds up: add the two colors.",
        "shiny objects too dark", look->sum = look->own * look->seen)
 MIRROR(ADDS, "T-mean", "the mean of shade and the mirror",
        "specular says how much of the mirror is added.", "all mirrors are alike",
        look->sum = (look->own + look->seen) / 2)
 MIRROR(ADDS, "T-clamp", "the sum, at most 1",
-       "colours are clamped only at the very end, by clamp_color; in the next mirror this one may "
+       "colors are clamped only at the very end, by clamp_color; in the next mirror this one may "
        "be just right.",
        "dull highlights in mirrors", look->sum = at_most_1(look->sum))
-MIRROR(ADDS, "T-clamp-seen", "the mirrored colour, at most 1",
-       "colours are clamped only at the very end, by clamp_color; in a mirror this one may be just "
+MIRROR(ADDS, "T-clamp-seen", "the mirrored color, at most 1",
+       "colors are clamped only at the very end, by clamp_color; in a mirror this one may be just "
        "right.",
        "dull highlights in mirrors", look->sum = look->own + look->p.ks * at_most_1(look->seen))
 MIRROR(MISSES, "T-black", "black instead of the background in mirrors",
        "a mirrored ray that hits nothing sees the background, like any other.",
        "mirrors too dark where they show the sky", if (look->mirrors > 0) look->sum = grey(0))
-MIRROR(MISSES, "T-night", "black if nothing is hit", "the scene has its own background colour.",
+MIRROR(MISSES, "T-night", "black if nothing is hit", "the scene has its own background color.",
        "everything on black", look->sum = grey(0))
 MIRROR(MISSES, "T-ambient-sky", "the ambient light if nothing is hit",
        "the scene has both, and they differ: use its background.", "a grey background",
        look->sum = look->scene->ambient)
-MIRROR(AIMS, "T-flat", "flat colours", "a surface that is hit is lit: shade.",
+MIRROR(AIMS, "T-flat", "flat colors", "a surface that is hit is lit: shade.",
        "flat spheres with mirror images", look->own = look->p.surface->color)
 MIRROR(AIMS, "T-ambient", "ambient light only",
        "a surface that is hit is lit by every light that arrives: shade.",
@@ -1757,14 +1753,14 @@ MIRROR(AIMS, "T-away", "shade with the normal turned away from the eye",
        p.normal = -p.normal; p.start = offset_from_surface(p.sphere, p.point, p.normal);
        look->own = all_of(p))
 
-// The usual colour for another depth.
+// The usual color for another depth.
 #define DEPTH(id, formula, why, picture, other)                                                    \
     WRONG_LINE(trace_ray, id, formula, why, picture, return trace_ray(scene, ray, other))
 
 // Without a limit it ends where it leaves the scene. Between mirrors it would go on until the stack
 // overflows; here as long as any of it is visible.
 DEPTH("T-endless", "no end at depth 0",
-      "between two mirrors a ray goes to and fro for ever. If depth is 0, return the colour of "
+      "between two mirrors a ray goes to and fro for ever. If depth is 0, return the color of "
       "shade.",
       "no visible difference, until two mirrors face each other: a stack overflow", 200)
 DEPTH("T-deep", "a mirrored ray at depth 0 as well",
@@ -1783,7 +1779,7 @@ DEPTH("T-one", "depth 1, whatever the argument is",
 DEPTH("T-once-only", "depth 0 for the mirrored ray", "it has depth - 1 left.",
       "no mirrors in mirrors", depth > 0 ? 1 : 0)
 DEPTH("T-least", "a mirror at depth 0 as well, but no deeper",
-      "at depth 0 there are no mirrors: return the colour of shade.",
+      "at depth 0 there are no mirrors: return the color of shade.",
       "mirrors where there should be none", depth > 0 ? depth : 1)
 DEPTH("T-0", "shade only",
       "if depth > 0 and the surface has specular, add what the mirrored ray sees.", "no mirrors", 0)
@@ -1802,9 +1798,9 @@ MIRROR(ENDS, "T-sky0", "the background at depth 0",
        "nothing but background; mirrors show only the sky",
        if (look->depth == 0) look->sum = look->scene->background)
 MIRROR(AIMS, "T-sky-behind", "ks times the background at depth 0",
-       "at depth 0 return the colour of shade.", "the deepest mirrors too bright",
+       "at depth 0 return the color of shade.", "the deepest mirrors too bright",
        if (look->depth == 0) look->own += look->p.ks * look->scene->background)
-MIRROR(AIMS, "T-flat-end", "flat colours in the last mirror",
+MIRROR(AIMS, "T-flat-end", "flat colors in the last mirror",
        "objects in a mirror are lit like all others: call trace_ray with depth - 1.",
        "flat spheres in mirrors",
        if (look->depth == 0 && look->mirrors > 0) look->own = look->p.surface->color)

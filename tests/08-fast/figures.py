@@ -1,6 +1,6 @@
 """figures.py - the figure of chapter 08 is right: two lines that touch a circle, from above.
 
-They are computed by angles: that of the centre, and the arc sine of r over its distance on both sides.
+They are computed by angles: that of the center, and the arc sine of r over its distance on both sides.
 """
 import math
 import os

@@ -1,4 +1,4 @@
-// laws.c - the laws of exercise 08: a rectangle is on the screen, and the centre of a sphere is in
+// laws.c - the laws of exercise 08: a rectangle is on the screen, and the center of a sphere is in
 // its rectangle.
 #include "exercises/08-fast.h"
 
@@ -39,7 +39,7 @@ static bool touches(const char *edge, double m, double inside, bool cut_off, dou
         return true;
     Apart its = apart(distance, r);
     law_broken(
-        "the plane through the eye and your %s edge passes %s from the centre of the sphere; "
+        "the plane through the eye and your %s edge passes %s from the center of the sphere; "
         "its radius is %s",
         edge, its.yours.s, its.right.s);
     return false;

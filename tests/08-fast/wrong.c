@@ -110,8 +110,8 @@ static ScreenRectangle right_of(Camera c, Resolution screen, Sphere sphere)
     }
 
 TANGENT("R-flat", "x/z - r/z, x/z + r/z",
-        "the tangents touch the sphere nearer to the eye than its centre is, so the outline is "
-        "larger than a disc at the centre.",
+        "the tangents touch the sphere nearer to the eye than its center is, so the outline is "
+        "larger than a disc at the center.",
         "spheres whose edges are cut off, most of all near the eye", x / z + side * r / z)
 TANGENT("R-box", "(x -+ r) / (z -+ r)",
         "this is the rectangle of a cube around the sphere. The sphere does not reach its corners.",
@@ -123,7 +123,7 @@ TANGENT("R-near", "(x -+ r) / (z - r)",
         "large spheres are tested too often, and spheres at the side are cut off",
         (x + side * r) / (z - r))
 TANGENT("R-middle", "x/z -+ r sqrt(x^2 + g) / g",
-        "the middle between the two tangents is x z / g. The centre of the sphere is at x / z.",
+        "the middle between the two tangents is x z / g. The center of the sphere is at x / z.",
         "spheres at the side are cut off on their outer side",
         x / z + side * r * sqrt(x * x + g) / g)
 TANGENT("R-root", "r sqrt(x^2 + z^2)",
@@ -146,7 +146,7 @@ TANGENT("R-sign", "-x z -+ r sqrt(x^2 + g)",
         "only spheres in the middle, because the rectangles are on the opposite side",
         -tangent(z, x, r, g, -side))
 TANGENT("R-diameter", "2 r instead of r",
-        "the radius is the distance from the centre to the surface.",
+        "the radius is the distance from the center to the surface.",
         "the right picture, but four times as many pixels are tested",
         z > 2 * r ? tangent(z, x, 2 * r, (z * z - 4 * r * r), side) : side * INFINITY)
 TANGENT("R-square", "g = z^2 - r", "the radius is squared: r^2.",
@@ -157,7 +157,7 @@ TANGENT("R-space", "asin(r / |C|)",
         "in this direction only x and z count. |C| includes how far up the sphere is.",
         "spheres near the corners are cut off", tan(atan2(x, z) + side * asin(r / away)))
 TANGENT("R-atan", "atan(r / sqrt(x^2 + z^2))",
-        "eye, centre and the point that the tangent touches are a triangle with the right angle at "
+        "eye, center and the point that the tangent touches are a triangle with the right angle at "
         "that point, so the ratio of r and the distance is a sine.",
         "spheres whose edges are cut off", tan(atan2(x, z) + side * atan(r / hypot(x, z))))
 TANGENT("R-angles", "atan(m) instead of m",
@@ -181,11 +181,11 @@ WRONG(sphere_rectangle, "R-world", "x, y, z of the world",
     }
 
 WITH_VIEW("R-eye", "C instead of C - p",
-          "the eye is not at the origin of the world. Seen from the eye, the centre is at C - p.",
+          "the eye is not at the origin of the world. Seen from the eye, the center is at C - p.",
           "rectangles beside their spheres, so parts of the spheres are missing",
           camera.origin = vec3_of(0, 0, 0))
 WITH_VIEW("R-back", "p - C instead of C - p",
-          "the vector from the eye to the centre is C - p. This one has the opposite direction.",
+          "the vector from the eye to the center is C - p. This one has the opposite direction.",
           "nothing, because each sphere in front is now behind the eye",
           sphere.center = 2 * camera.origin - sphere.center)
 
@@ -216,7 +216,7 @@ OF_VIEW("R-plane", "z - d instead of z",
     }
 
 OF_UNCUT("R-far", "|C| instead of z",
-         "the distance ahead is measured along forward. |C| is the distance to the centre.",
+         "the distance ahead is measured along forward. |C| is the distance to the center.",
          "spheres at the side are cut off",
          v.ahead = sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead);
          s = on_screen(camera, screen, outline_of(v)))
@@ -294,7 +294,7 @@ OF_RECTANGLE("R-floor", "(int)", "the rectangle is exact, so its parts are not w
 OF_WHOLE_RECTANGLE(
     "R-cut", "not cut off",
     "outside of the screen there are no pixels, so the rectangle ends at the screen's edges.",
-    "the program ends when it colours a pixel outside of the image", s)
+    "the program ends when it colors a pixel outside of the image", s)
 OF_WHOLE_RECTANGLE("R-strip", "limits alone",
                    "a sphere beside the screen keeps an empty strip at its edge. Test first "
                    "whether the two overlap.",
@@ -322,9 +322,9 @@ OF_VIEW("R-behind-all", "the whole screen for z <= -r",
         "a sphere that is completely behind the eye is not visible.",
         "the right picture, but spheres behind the eye are tested as well",
         return v.ahead <= v.r ? whole(screen) : right_of(camera, screen, sphere))
-OF_VIEW("R-centre", "nothing for z <= 0",
-        "a sphere whose centre is behind the eye may reach in front of it. Compare z with -r.",
-        "no sphere around the eye as soon as its centre is behind the eye",
+OF_VIEW("R-center", "nothing for z <= 0",
+        "a sphere whose center is behind the eye may reach in front of it. Compare z with -r.",
+        "no sphere around the eye as soon as its center is behind the eye",
         return v.ahead <= 0 ? nothing : right_of(camera, screen, sphere))
 OF_VIEW("R-inside", "nothing for z <= r", "from inside a sphere every ray hits it.",
         "no sphere around the eye or beside it",

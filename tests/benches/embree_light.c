@@ -30,7 +30,7 @@ typedef struct {
     int last; // the mirrors it followed
 } Path;
 
-// A block of samples; the pixels of it are computed when all its samples have their colours.
+// A block of samples; the pixels of it are computed when all its samples have their colors.
 typedef struct {
     const Peer *peer;
     Scene alone; // one sphere, and the lights that arrive

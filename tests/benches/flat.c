@@ -113,7 +113,7 @@ static bool is_background(const Scene *scene, const uint8_t *rgb)
     return true;
 }
 
-// How many pixels. Peers may write other colours (gamma): their background is what they show at the
+// How many pixels. Peers may write other colors (gamma): their background is what they show at the
 // first pixel where the hierarchy has background.
 static int different(const Work *mine, const Image *expected, bool peer)
 {

@@ -5,7 +5,7 @@
 # Filled marks and full lines: the three spheres and sphereflakes; hollow and broken: random spheres.
 # Bars: the quartiles. Of Embree's own spheres in packets of 8 and of 16 one is enough: they are alike.
 if (!exists("theme")) theme = "light"
-# The colours are those of the figures (common/figure/plot.gp), and so is the size of text.
+# The colors are those of the figures (common/figure/plot.gp), and so is the size of text.
 dark = theme eq "dark"
 ink = dark ? "#e8eaed" : "#1a1c20"
 set terminal svg size 960, 600 font "DejaVu Sans,24" enhanced background dark ? "#16191d" : "#ffffff"

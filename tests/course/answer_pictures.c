@@ -36,7 +36,7 @@ static const struct AnswerPicture {
 typedef struct AnswerPicture AnswerPicture;
 enum { PICTURE_COUNT = sizeof pictures / sizeof pictures[0] };
 
-// Whether the picture is drawn by this exercise: it is a word of the expression for the colour.
+// Whether the picture is drawn by this exercise: it is a word of the expression for the color.
 static bool needs_answer(const AnswerPicture *picture, const char *exercise)
 {
     return text_word(picture->color, exercise) != NULL;

@@ -114,7 +114,7 @@ TEST(chapter_record, only_what_it_calls_and_is_not_right_excuses)
     expect_excuses((const char *[]){"wrong", "g", "wrong", "f", "wrong", ""}, "");
 }
 
-// ---- a page: wrapping, colours, a program's output ---------------------------------------------
+// ---- a page: wrapping, colors, a program's output ---------------------------------------------
 
 static char *written;
 static size_t written_size;
@@ -161,9 +161,9 @@ TEST(page, words_wrap_under_each_other)
     }
 }
 
-TEST(page, colours_are_in_each_line_by_itself)
+TEST(page, colors_are_in_each_line_by_itself)
 {
-    given("colours", "yes");
+    given("colors", "yes");
     Page page = page_of(40, true);
     page_field(&page, RED, "yours", "one two three four five six seven eight");
     page_line(&page, BOLD, "done");

@@ -24,7 +24,7 @@
 //     reference   the linker's option for each exercise that the reference answers in a picture,
 //                 NAME for its name; none without a reference
 //     drawing     the objects that draw a picture of answers, besides these (pictures/draw.c)
-//     spheres     the scene that these pictures show, and its recorded colours
+//     spheres     the scene that these pictures show, and its recorded colors
 //     libraries   the libraries that pictures are linked with
 //
 // Then each chapter:

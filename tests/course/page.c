@@ -1,4 +1,4 @@
-// page.c - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
+// page.c - text for a reader: as wide as the terminal, and in color if the terminal has colors.
 #include "tests/course/page.h"
 
 #include <stdarg.h>
@@ -78,7 +78,7 @@ static int length_of_word(const char *words, int room)
     return length < room ? length : (int)strcspn(words, " ");
 }
 
-// From a column on; the colour ends with each line, so that no margin has it.
+// From a column on; the color ends with each line, so that no margin has it.
 static void wrap(const Page *page, PageColor color, int column, int margin, const char *words)
 {
     int room = page->columns - margin;

@@ -1,4 +1,4 @@
-// page.h - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
+// page.h - text for a reader: as wide as the terminal, and in color if the terminal has colors.
 //
 // The course in a browser (chapters/book/) has its own columns. For it, fields and words are
 // written as parts, KIND \x1f LABEL \x1f WORDS \x1e, and what only a terminal's reader can use is
@@ -19,7 +19,7 @@ typedef struct {
     bool is_web;   // for the course in a browser: parts
 } Page;
 
-// Columns: COLUMNS in the environment, the terminal's, or 80. Colours: on a terminal, unless
+// Columns: COLUMNS in the environment, the terminal's, or 80. Colors: on a terminal, unless
 // NO_COLOR is set or TERM is dumb. Not brief. WEB in the environment: for a browser.
 Page page_on(FILE *out);
 

@@ -185,7 +185,7 @@ static void find_kinds(Mistake *mistake)
 
 // ---- reading the compiler's words --------------------------------------------------------------
 
-// Plain ASCII without colours, typographic quotes, tabs, or the type behind vec3, which gcc and
+// Plain ASCII without colors, typographic quotes, tabs, or the type behind vec3, which gcc and
 // clang add.
 static const char *plain(const char *line)
 {
@@ -1225,7 +1225,7 @@ static const Rule rules[] = {
     {UNKNOWN_TYPE,
      .name = "^([Dd]?[Vv](ec|EC)[34]?|[Vv](ector|ECTOR)3?|[Pp](oint|OINT)3?|"
              "[Ff]loat3|[Dd]ouble3)$",
-     .help = "the type of points, vectors and colours is vec3 (common/vec3.h)."},
+     .help = "the type of points, vectors and colors is vec3 (common/vec3.h)."},
     {UNKNOWN, .help = "here its name is {KNOWN}: {PROTOTYPE KNOWN}  in {HEADER KNOWN}."},
     {UNKNOWN, .help = "in C its name is {KNOWN}."},
     {UNKNOWN, .name = "^(sqr|sq|square|squared)$", .help = "C has no square: write x * x."},

@@ -581,7 +581,7 @@ static bool is_tiny(ScreenRectangle box, Resolution screen)
            fabs(box.bottom - box.top) < 0.005 * screen.height;
 }
 
-// The points of the sphere that are on its outline are a circle, nearer to the eye than the centre.
+// The points of the sphere that are on its outline are a circle, nearer to the eye than the center.
 // If the sphere is around the eye, beside it or behind it, there is none.
 static void write_outline(Plot *plot, Camera c, Resolution screen, Sphere sphere)
 {
@@ -790,7 +790,7 @@ static bool draw_ray(Plot *plot, Wrong *wrong)
         !is_near(yours.direction, right.direction, size))
         return false;
     bool moved = !is_same_place(yours.origin, right.origin);
-    // Seen from the side, with the sphere's centre not in front of the ray.
+    // Seen from the side, with the sphere's center not in front of the ray.
     vec3 along = vec3_unit(right.direction);
     vec3 up = -right.origin - vec3_dot(-right.origin, along) * along;
     if (vec3_length(up) < 1e-6 * (1 + vec3_length(right.origin)))

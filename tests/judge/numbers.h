@@ -44,7 +44,7 @@ void numbers_free_value(const Type *type, void *value); // memory that getting i
 bool is_light_kind(LightKind kind); // and not another number
 
 // Arrays that were got have a guard before their first item and after their last, for loops that
-// run once too often. A sphere around the whole world, with a colour that no scene has, and a very
+// run once too often. A sphere around the whole world, with a color that no scene has, and a very
 // bright light: one item too many shows in the result. The guards of pixels and depths are checked
 // afterwards: one item too many that was written shows there, and the guard's depth is farther than
 // any hit, so that a hit replaces it.

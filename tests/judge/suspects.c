@@ -611,7 +611,7 @@ static bool is_argument(int from)
     return evidence.call_count >= MANY;
 }
 
-// In every call the whole picture has the colour of its first pixel.
+// In every call the whole picture has the color of its first pixel.
 static bool is_one_color(bool has_depth)
 {
     for (const EvidenceCall *call = evidence.calls; call < end_of_calls(); call++) {
@@ -641,7 +641,7 @@ static const char *what_is_trivial(void)
     const char *results = exercises[evidence.exercise].results;
     if (strncmp(results, "Pixels", 6) == 0)
         return is_one_color(strcmp(results, "Pixels") != 0)
-                   ? "every pixel of your picture has the same colour, whatever is in the scene"
+                   ? "every pixel of your picture has the same color, whatever is in the scene"
                    : NULL;
     if (has_reasons(evidence.exercise)) {
         CameraFault fault = one_refusal();

@@ -22,7 +22,7 @@ mkdir -p "$tree/$BUILD" && cp -a "$BUILD/." "$tree/$BUILD/"
 cd "$tree" || exit 1
 cp -r chapters "$scratch/chapters"
 unset MAKEFLAGS ANSWERS
-export MOST_BYTES=200000 # of a picture: if the camera is turned, its colours take more
+export MOST_BYTES=200000 # of a picture: if the camera is turned, its colors take more
 export PROGRAMS="$BUILD/solutions"
 
 # What a lecturer runs, and then what the tests below need. The second one has nothing to write.
@@ -82,7 +82,7 @@ figures_that_stayed() {
     sed -n '/^These figures have a scene of their own/,/^$/p' chapters/README.md | tr '\n' ' ' | sed 's/.*`discriminant`://' |
         grep -o '`[^`]*`' | tr -d '`' | sort | diff - "$scratch/stayed"
 }
-# What the notes say of the example's numbers. A point and the centre of its pixel are said to be two places: they look
+# What the notes say of the example's numbers. A point and the center of its pixel are said to be two places: they look
 # different, however large the screen is.
 mkdir -p "$scratch/new/chapters"
 says_on_slides() {

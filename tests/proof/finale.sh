@@ -1,7 +1,7 @@
 #!/bin/sh
 # finale.sh - the picture in README.md is what the command beside it draws.
 #
-# In the tree it has a palette of 256 colours, dithered, which is a third of the bytes: colours are compared
+# In the tree it has a palette of 256 colors, dithered, which is a third of the bytes: colors are compared
 # by the means of each 8 x 8 pixels, and by the mean of all differences.
 # Only reads the tree.
 set -u

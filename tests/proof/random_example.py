@@ -78,7 +78,7 @@ def example_number(number):
     e.s, e.t = chance.rounded(0.05, 0.95, 0.05), chance.rounded(0.05, 0.95, 0.05)
     e.columns, e.rows = chance.choice(SIZES)
     e.x, e.y = chance.randint(1, e.columns - 1), chance.randint(1, e.rows - 1)
-    # The ray goes to a point near the centre; how long v is says where t is 1.
+    # The ray goes to a point near the center; how long v is says where t is 1.
     while True:
         e.radius = chance.rounded(0.5, 3, 0.25)
         e.center = chance.choice(([0, 0, 0], chance.place(5, 0.5)))
@@ -207,7 +207,7 @@ def print_rays(e):
         t = (-b - math.sqrt(b * b - 4 * c)) / 2
         inside = math.hypot(*plus(times(t, e.v), to_center, -1)) < e.radius
         holds(stem, "$t = ", t, after="$. That point is", formula=True)
-        print(f"chapters/{stem}/README.md\tfrom the centre: {'inside' if inside else 'outside'} the sphere.")
+        print(f"chapters/{stem}/README.md\tfrom the center: {'inside' if inside else 'outside'} the sphere.")
 
 
 # ---- what the slides must say -----------------------------------------------------------------------

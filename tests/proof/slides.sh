@@ -98,7 +98,7 @@ are_exercises() {
 is_of_size() {
     pdfinfo "$lecture/$1.pdf" | grep -F "$2"
 }
-# The colour of the last pixel of a page that has only words, in bytes. (The very edge of the paper may be lighter.)
+# The color of the last pixel of a page that has only words, in bytes. (The very edge of the paper may be lighter.)
 has_ground() {
     pdftoppm -r 10 -x 2 -y 2 -W 10 -H 3 -f 2 -l 2 "$lecture/$1.pdf" | tail -c 3 | od -An -tu1 | grep -qx " *$2 *$3 *$4"
 }

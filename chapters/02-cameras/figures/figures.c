@@ -67,7 +67,7 @@ static void plot_found(Plot *plot, Found found, int form)
     plot_block_end(plot);
 }
 
-// The letters of the frame, where there is room for them; in the other panels, colours say which.
+// The letters of the frame, where there is room for them; in the other panels, colors say which.
 static void name_frame(Plot *plot)
 {
     static const Label letters[] = {

@@ -29,7 +29,7 @@ typedef struct {
 } Panels;
 
 // Five rays along x against the same sphere, in object coordinates. The coordinates of their
-// origins are short in binary, and so is the distance of the tangent's origin from the centre,
+// origins are short in binary, and so is the distance of the tangent's origin from the center,
 // 17/8. So every usual formula finds exactly a tangent.
 static const Situation five[SITUATIONS] = {{-1.875, 1.5, -0.6},
                                            {-1.875, 1, -0.6},

@@ -9,7 +9,7 @@
 
 enum { SAMPLES = 400 };
 
-// ---- the plane through a ray and the centre of a sphere -----------------------------------------
+// ---- the plane through a ray and the center of a sphere -----------------------------------------
 
 // Everything that matters happens in that plane, for any ray and sphere: a line and a circle, in
 // true lengths. The data are points of the world; two directions in the plane are those of the
@@ -18,10 +18,10 @@ typedef struct {
     Ray ray;
     Sphere sphere;
     vec3 line;    // unit, along the ray
-    vec3 off;     // unit, at right angles to it, from the centre to the line
-    vec3 nearest; // the point of the line that is nearest to the centre
+    vec3 off;     // unit, at right angles to it, from the center to the line
+    vec3 nearest; // the point of the line that is nearest to the center
     double t;     // its t
-    double away;  // how far it is from the centre
+    double away;  // how far it is from the center
     double size;  // of the part that must be visible: the larger of radius and away
     vec3 right, up;
 
@@ -102,7 +102,7 @@ static Section section_upright(Ray ray, Sphere sphere)
     return in_sight(s);
 }
 
-// Turned so that the ray goes to the right, above the centre.
+// Turned so that the ray goes to the right, above the center.
 static Section section_level(Ray ray, Sphere sphere)
 {
     Section s = meeting(ray, sphere);
@@ -222,7 +222,7 @@ static void see(Plot *plot, const Section *s)
 
 // Says from where the section is seen, and writes $center, $circle, $radius, $p (if p is too far
 // away, the end of the line towards it), $v, $ahead and $behind (of p), $nearest, $apart (from the
-// centre to $nearest).
+// center to $nearest).
 static void section_data(Plot *plot, const Section *s)
 {
     see(plot, s);
@@ -284,7 +284,7 @@ static void section_marks(Plot *plot, const Section *s, int step, int count, con
     }
 }
 
-// Handles: p, v, the centre and the radius. turns: the figure turns with the ray, so p can only be
+// Handles: p, v, the center and the radius. turns: the figure turns with the ray, so p can only be
 // dragged along it.
 static void section_handles(Plot *plot, const Section *s, bool turns)
 {
@@ -326,7 +326,7 @@ static bool is_moved(const Meeting *m)
     return vec3_length(m->sphere.center) > 0;
 }
 
-// The colour of a root: the result is blue, another one ahead of p is ink.
+// The color of a root: the result is blue, another one ahead of p is ink.
 static const char *root_color(const Plot *plot, const char *name)
 {
     double t = plot_shown(plot, name);
@@ -393,7 +393,7 @@ static void ray_sphere(Plot *plot, void *given)
 // ---- parabola ----------------------------------------------------------------------------------
 
 // Where the parabola is drawn: above the section, in its plane. f is at height 'axis' + scale f
-// above the line through the centre, and f is shown from low to high: the axis, the lowest point,
+// above the line through the center, and f is shown from low to high: the axis, the lowest point,
 // and above it so much that the parabola is one and a half times as wide as the circle.
 typedef struct {
     const Section *section;
@@ -569,7 +569,7 @@ static void parabola_data(Plot *plot, void *given)
 // ---- geometric-roots ---------------------------------------------------------------------------
 
 // The sides of two right triangles: from p to the nearest point of the line, s; from there to the
-// centre, m; and half a chord, k, of which nothing is left if the line misses the sphere.
+// center, m; and half a chord, k, of which nothing is left if the line misses the sphere.
 typedef struct {
     double s, m, k;
 } Sides;
@@ -581,7 +581,7 @@ static Sides sides_of(const Section *section)
                    m <= r ? sqrt((r - m) * (r + m)) : NAN};
 }
 
-// The mark of the right angle at the nearest point, towards p and the centre.
+// The mark of the right angle at the nearest point, towards p and the center.
 static void right_angle(Plot *plot, const Section *s, Sides sides)
 {
     double size = fmin(0.12 * s->size, 0.5 * fmin(sides.m, fabs(sides.s)));

@@ -64,7 +64,7 @@ static void say_sphere(const Shown *shown, int k, int sphere, char *text, size_t
                  sphere_roots(shown->ray, s).count > 0 ? "behind the eye" : "missed");
 }
 
-// The story in three blocks of words below the picture: the ray, its hits, the colour.
+// The story in three blocks of words below the picture: the ray, its hits, the color.
 static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
 {
     const Label ray[] = {{"pixel {pixel} of {size}", "ink", .step = 1},
@@ -124,7 +124,7 @@ void explain_figure_data(Plot *plot, void *given)
 
 // ---- image order, and the whole of ray casting ------------------------------------------------
 
-// The drawn pixels in the colours of the spheres that they show in a scene. Its sphere 0 is sphere
+// The drawn pixels in the colors of the spheres that they show in a scene. Its sphere 0 is sphere
 // 'first' of the whole scene. A pixel that shows no sphere keeps the background. Returns how many
 // show one.
 static int cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
@@ -265,7 +265,7 @@ static int the_object(const Shown *shown)
     return shown->sphere_count > 0 ? shown->spheres[0] : scene->sphere_count > 0 ? 0 : -1;
 }
 
-// The pixels that one sphere would colour if it were alone.
+// The pixels that one sphere would color if it were alone.
 static int cells_of(Plot *plot, const Shown *shown, int object)
 {
     Scene alone = *shown->shot.scene;

@@ -74,7 +74,7 @@ void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid);
 // How far to draw the pixel's ray.
 double shown_end(const Shown *shown);
 
-// 65536 r + 256 g + b, of the bytes of a colour.
+// 65536 r + 256 g + b, of the bytes of a color.
 double rgb_number(Color color);
 
 // ---- the figures --------------------------------------------------------------------------------

@@ -75,7 +75,7 @@ enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 // A sphere, turned around the ray into the paper, and measured in the ray's t.
 typedef struct {
     int sphere;
-    double t, aside, radius; // aside: from the ray to the centre
+    double t, aside, radius; // aside: from the ray to the center
     double hit;
     bool part; // only its part in the window is drawn
 } Circle;

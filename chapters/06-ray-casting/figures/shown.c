@@ -324,7 +324,7 @@ static void hits(Plot *plot, const Shown *shown)
         rgb_number(any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background));
 }
 
-// A place of a sphere, near the point in the direction 'out' from the centre. It is a share of the
+// A place of a sphere, near the point in the direction 'out' from the center. It is a share of the
 // radius away from that point, in a direction around it. side is a unit vector at right angles to
 // out.
 static vec3 on_sphere(Sphere s, vec3 out, vec3 side, double share, double angle)

@@ -64,8 +64,8 @@ static inline void enter(const Slopes *slopes, const WideNode *node, float farth
     }
 }
 
-// Which spheres of a leaf the ray may meet before farthest, as bits. The line passes a centre at
-// the distance |c x v|: no digits are lost, so its error is less than 2^-20 of the centre's
+// Which spheres of a leaf the ray may meet before farthest, as bits. The line passes a center at
+// the distance |c x v|: no digits are lost, so its error is less than 2^-20 of the center's
 // distance and of the leaf's size. The same is true of c.v, where the middle of the chord is. A
 // sphere that is larger by both errors is met before and after these too. By the size's part, the
 // radii are larger already (hierarchy.c).

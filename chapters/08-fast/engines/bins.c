@@ -45,7 +45,7 @@ typedef struct {
     float nearest[OUTLINES]; // a lower bound of s
 } CurrentTile;
 
-// The colour of pixels that see a sphere. If spheres are wanted instead, the sphere's number + 1.
+// The color of pixels that see a sphere. If spheres are wanted instead, the sphere's number + 1.
 static int color_of(const Tiling *tiling, int sphere)
 {
     return tiling->seen != NULL ? sphere + 1
@@ -53,7 +53,7 @@ static int color_of(const Tiling *tiling, int sphere)
 }
 
 // Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
-// distance from the centre, and the margins are many times the rounding error of that.
+// distance from the center, and the margins are many times the rounding error of that.
 static int decide(const CurrentTile *tile, int column, int row, const Item *bin, size_t count)
 {
     const Work *work = tile->tiling->work;
@@ -198,7 +198,7 @@ static TileRays rays_from(const Work *work, Pixel pixel)
 
 // Do all rays of this part hit the sphere, seen from outside? Those that do are inside a cone,
 // which is convex, so it is enough to ask the corners. The square of the cosine between c, the
-// centre from the eye, and a ray of the outline is 1 - radius^2 / c.c; there is a margin for
+// center from the eye, and a ray of the outline is 1 - radius^2 / c.c; there is a margin for
 // rounding.
 static bool covers(const TileRays *rays, vec3 c, double radius, Part part)
 {

@@ -19,8 +19,8 @@ typedef struct {
     double right[3], up[3], forward[3];
     double across, down; // pixels per unit of the plane
     double width, height;
-    // A pixel is in the place of a sphere if its centre is, or is outside by this, in pixels:
-    // ROUNDING for rays through the centres.
+    // A pixel is in the place of a sphere if its center is, or is outside by this, in pixels:
+    // ROUNDING for rays through the centers.
     double margin;
 } Eye;
 #define ROUNDING (1.0 / 64)
@@ -93,7 +93,7 @@ static inline float near_of(Item item)
 }
 
 // The pixels of a tile. s is t v.v of the nearest hit so far: its distance times |v|. A pixel that
-// float cannot decide has UNSURE in its colour.
+// float cannot decide has UNSURE in its color.
 enum { UNSURE = 1 << 24 };
 typedef struct {
     _Alignas(64) float s[SIDE * SIDE]; // from the start of a cache line, so that 16 are in a line
@@ -106,7 +106,7 @@ typedef struct {
     double first[3], column[3], row[3];
 } TileRays;
 
-// Up to OUTLINES spheres that may be visible: the centre from the eye, the radius; a pixel in the
+// Up to OUTLINES spheres that may be visible: the center from the eye, the radius; a pixel in the
 // middle of the sphere's part of the tile, and how far that part reaches from there.
 enum { OUTLINES = 8 };
 typedef struct {
@@ -114,7 +114,7 @@ typedef struct {
     double column[OUTLINES], row[OUTLINES], half_width[OUTLINES], half_height[OUTLINES];
 } Candidates;
 
-// Spheres, seen from a tile. D is a quarter of chapter 05's discriminant, c the centre from the
+// Spheres, seen from a tile. D is a quarter of chapter 05's discriminant, c the center from the
 // eye, v the ray. For the ray x columns and y rows from the pixel (x, y)
 //   D   = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2
 //   c.v = b + bx x + by y
@@ -154,7 +154,7 @@ typedef struct {
                            int n, Part part, float nearest, float slack, int color);
     // Is any pixel unsure?
     bool (*unsure)(const TilePixels *tile);
-    // Colours, in rows of a tile, become bytes of red, green and blue; apart is the number of bytes
+    // Colors, in rows of a tile, become bytes of red, green and blue; apart is the number of bytes
     // from row to row.
     void (*paint)(const int *colors, int side, int columns, int rows, uint8_t *rgb, size_t apart);
 } BinsLanes;

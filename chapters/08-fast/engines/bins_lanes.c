@@ -22,7 +22,7 @@ static inline uint16_t end_pixel(float x, float most)
 }
 
 // The outline of each sphere becomes pixels, and its least distance from the eye a float. In float
-// the centre has an error of some 2^-24 of its distance. That is more of a g that is a small part
+// the center has an error of some 2^-24 of its distance. That is more of a g that is a small part
 // of it, so the outline is wider by 2^-18 of its numbers, times distance / (ahead - r). If ahead -
 // r is almost nothing, the rectangle is the whole screen.
 static bool place(const Eye *eye, const Positions *positions, int count, Places *restrict places)

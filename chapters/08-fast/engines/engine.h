@@ -74,9 +74,9 @@ static inline int most(int a, int b)
     return a > b ? a : b;
 }
 
-// ---- colours and vectors ----------------------------------------------------------------------
+// ---- colors and vectors ----------------------------------------------------------------------
 
-// A colour is red + 256 green + 65536 blue. One for each surface, and after the last one the
+// A color is red + 256 green + 65536 blue. One for each surface, and after the last one the
 // background. Free it with free; NULL if there is not enough memory.
 int *colors_of(const Scene *scene);
 
@@ -85,7 +85,7 @@ static inline int sphere_color(const Scene *scene, const int *colors, int sphere
     return colors[sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface];
 }
 
-// Colours a pixel by the sphere that it sees, -1 for none. Unlike image_set this may be called by
+// Colors a pixel by the sphere that it sees, -1 for none. Unlike image_set this may be called by
 // several threads, for different pixels.
 static inline void paint_pixel(Image *image, size_t pixel, const Scene *scene, const int *colors,
                                int sphere)
@@ -113,7 +113,7 @@ static inline void view_store(double numbers[3], vec3 v)
 // If the numbers of a scene are beyond these limits, 'plain' casts it, whichever engine was chosen:
 // the picture stays the same. Within them, no fast engine leaves out a sphere that chapter 05 hits:
 //
-// Let D be the distance from the start of a ray to the centre c of a sphere of radius r, and e =
+// Let D be the distance from the start of a ray to the center c of a sphere of radius r, and e =
 // 2^-52. Chapter 05 rounds c - start, and the point of the line that is closest to c. Along each
 // axis both have an error of at most e D. So the distance of the line from c has an error of at
 // most 2 e D. (An error along the line only makes it larger, by its square.)

@@ -1,7 +1,7 @@
 // float_scene.h - the scene as floats, seen from the eye, and the limits of their errors.
 //
 // A float has 7 digits. That is enough for nearly every pixel, and the program can tell if it is
-// not. A ray goes from the eye along v = (x, y, 1), by the camera's axes. It passes the centre c of
+// not. A ray goes from the eye along v = (x, y, 1), by the camera's axes. It passes the center c of
 // a sphere at a distance of |c x v| / |v|. So it meets the sphere, of radius r, if D = r^2 |v|^2 -
 // |c x v|^2 >= 0, at t = (c.v - sqrt(D)) / v.v. The numbers in D have the size of the sphere, not
 // of its distance. (D is a quarter of chapter 05's discriminant, by Lagrange's identity |c x v|^2 =
@@ -22,7 +22,7 @@
 enum { BLOCK = 4, TILE = 16, TILE_BLOCKS = TILE / BLOCK };
 
 typedef struct {
-    float x, y, z; // the centre by the camera's axes, from the eye
+    float x, y, z; // the center by the camera's axes, from the eye
     // Squared radii: the ray meets the first sphere before the real one, and the second one after
     // it. From outside the first is the larger one. If the eye is inside, the ray meets them on its
     // way out: then side is -1, and the first is the smaller one.
@@ -51,7 +51,7 @@ typedef struct {
     const float *x, *y;                       // of each column of pixels, of each row
 } View;
 
-// The colours of a tile's pixels, row by row; IN_DOUBT is not a colour.
+// The colors of a tile's pixels, row by row; IN_DOUBT is not a color.
 enum { IN_DOUBT = -1 };
 typedef struct {
     int column, row; // its first block
@@ -59,7 +59,7 @@ typedef struct {
     int colors[TILE * TILE];
 } Tile;
 
-// For each instruction set: the pixels of a tile get their colours, by packets of rays, or by the
+// For each instruction set: the pixels of a tile get their colors, by packets of rays, or by the
 // tile's frustum.
 typedef void Walk(const View *view, Tile *tile);
 extern Walk walk_packets_baseline, walk_packets_avx2, walk_packets_avx512;

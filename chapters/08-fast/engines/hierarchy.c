@@ -41,7 +41,7 @@ typedef struct {
     float cost; // spheres times surface, both children
 } Split;
 
-// A slice along an axis: the spheres whose centres are in it.
+// A slice along an axis: the spheres whose centers are in it.
 typedef struct {
     Bounds box;
     int count;
@@ -73,8 +73,8 @@ static int best_along(float *cost, const Bin *bins, int count)
     return best;
 }
 
-// The cheapest split along any axis; its cost is infinite if all centres are in one place. Items
-// are centres and radii.
+// The cheapest split along any axis; its cost is infinite if all centers are in one place. Items
+// are centers and radii.
 static Split best_split(const Four *items, int count)
 {
     int bin_count = count < SMALL ? FEW_BINS : BINS;
@@ -82,7 +82,7 @@ static Split best_split(const Four *items, int count)
     for (int i = 0; i < count; i++)
         include(&centers, items[i], items[i]);
     Four size = centers.high - centers.low, scale = {0};
-    // A little less, so that the largest centre is in the last bin.
+    // A little less, so that the largest center is in the last bin.
     for (int axis = 0; axis < 3; axis++)
         scale[axis] = size[axis] > 1e-30F ? 0.999999F * (float)bin_count / size[axis] : 0;
 

@@ -20,7 +20,7 @@ typedef struct {
 
 // A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
 // none: then it is a leaf. The first child is the next node, the second one is number other. Along
-// axis, the centres in the first child are before those in the second.
+// axis, the centers in the first child are before those in the second.
 typedef struct {
     Box box;
     int first, count;
@@ -38,7 +38,7 @@ typedef struct {
 // The largest depth of the hierarchy; and the size of a leaf whose spheres are asked one by one.
 enum { HIERARCHY_DEEPEST = 128, SMALL_LEAF = 4 };
 
-// Half the diagonal of the box around the centres of all spheres that are not larger, and its
+// Half the diagonal of the box around the centers of all spheres that are not larger, and its
 // middle.
 double extent_of(const Scene *scene, double largest, vec3 *middle);
 
@@ -64,7 +64,7 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray);
 //
 // All lengths are multiplied by a scale, so that the largest box has the size 1. The place of a
 // node or a leaf is counted from the corner of the largest box. Places in a node are counted from
-// the node's own corner, and those in a leaf from the leaf's centre: near these, floats are precise
+// the node's own corner, and those in a leaf from the leaf's center: near these, floats are precise
 // enough.
 typedef float Four __attribute__((vector_size(16))); // along x, y and z; and one more
 typedef int FourInts __attribute__((vector_size(16)));

@@ -44,9 +44,9 @@ typedef struct {
     void (*leave)(Paths *paths);
     // The directions of the rays to a light, from start.
     void (*to_light)(const Paths *paths, const Light *light, Vectors *directions);
-    // The colours there. Light number i arrives if lit[i * PATHS + path] is not 0.
+    // The colors there. Light number i arrives if lit[i * PATHS + path] is not 0.
     void (*shade)(const Scene *scene, const Paths *paths, const double *lit, Vectors *colors);
-    // Adds the colours, clamped, to the sums at their places.
+    // Adds the colors, clamped, to the sums at their places.
     void (*add_clamped)(const Vectors *colors, const int *places, int count, Vectors *sums);
 } LightSteps;
 
@@ -111,7 +111,7 @@ extern NearestOfMany nearest_of_many_baseline, nearest_of_many_avx2, nearest_of_
 
 // ---- paths ------------------------------------------------------------------------------------
 
-// Chapter 07's colour of a ray, without asking every sphere.
+// Chapter 07's color of a ray, without asking every sphere.
 //
 // A ray needs few spheres: the one that it hits, and for each light one that hides it, if any. The
 // wide hierarchy finds them. A hidden light adds 0, so the numbers are the same, to the last digit.
@@ -139,7 +139,7 @@ typedef struct {
     Paths paths;
     Vectors directions;
     double *lit; // for each light and path: not 0 if the light arrives
-    // For each mirror and path: the colour there, and the part of it that the next one adds. In the
+    // For each mirror and path: the color there, and the part of it that the next one adds. In the
     // end colors[0] are those of the paths.
     Vectors *colors;
     double *parts;
@@ -149,13 +149,13 @@ typedef struct {
 // lanes.
 LightPaths *light_paths_create(const LightWorld *world, const LightSteps *steps);
 
-// The steps of the best lanes, if they give these samples of the picture the colours that the
+// The steps of the best lanes, if they give these samples of the picture the colors that the
 // chapters' functions give, to the last bit; otherwise, or if there is not enough memory,
 // steps_by_chapters. The answers that are linked may be a student's, with other formulas.
 const LightSteps *steps_for(const LightWorld *world, const int *columns, const int *rows,
                             int count);
 
-// Finds the colours that trace_ray finds in the scene for all->paths.count rays; set their origin
+// Finds the colors that trace_ray finds in the scene for all->paths.count rays; set their origin
 // and direction, or let steps->rays set them. known: paths.sphere has the sphere that each ray
 // hits. Otherwise they are searched.
 void path_colors(LightPaths *all, bool known);

@@ -6,7 +6,7 @@
 //
 // A few giants, such as a ground or a sky, would make the grid so large that everything else is in
 // one cell. They are not in it: every ray asks them. A giant is larger than the box around the
-// centres of the others.
+// centers of the others.
 #include "chapters/08-fast/engines/light.h"
 
 #include <stdlib.h>
@@ -53,7 +53,7 @@ static bool look(LightGrid *grid, const WideHierarchy *wide, Light light, double
     view_store(bins->eye.forward, forward);
     view_store(bins->eye.right, right);
     view_store(bins->eye.up, vec3_cross(right, forward));
-    bins->eye.margin = 0.5 + ROUNDING; // rays between the pixels' centres
+    bins->eye.margin = 0.5 + ROUNDING; // rays between the pixels' centers
     return true;
 }
 

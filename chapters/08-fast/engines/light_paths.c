@@ -1,4 +1,4 @@
-// light_paths.c - the colour of a ray: what it hits, which lights arrive there, and what it sees in
+// light_paths.c - the color of a ray: what it hits, which lights arrive there, and what it sees in
 // a mirror.
 #include "chapters/08-fast/engines/light.h"
 #include "exercises/04-pixel-ray.h"
@@ -169,7 +169,7 @@ static void keep(Paths *paths, const int *kept, int count)
     paths->count = count;
 }
 
-// The rays that hit nothing see the background, and end. The others will get their colours later.
+// The rays that hit nothing see the background, and end. The others will get their colors later.
 // The list is written without an 'if', because a processor cannot predict it.
 static void end_at_background(LightPaths *all, int level)
 {
@@ -240,9 +240,9 @@ static void find_light(LightPaths *all, int number)
                  (places[i] == IN_DOUBT && arrives(world, vector_of(&paths->start, i), light));
 }
 
-// ---- colours ----------------------------------------------------------------------------------
+// ---- colors ----------------------------------------------------------------------------------
 
-// The paths that have hit something are coloured; those on mirrors go on. all_hit: no path of the
+// The paths that have hit something are colored; those on mirrors go on. all_hit: no path of the
 // level, or of those before, has ended.
 static void light_up(LightPaths *all, int level, bool all_hit)
 {

@@ -100,7 +100,7 @@ typedef struct {
     double reflected[PATHS], highlight[PATHS];
 } Shading;
 
-// The surfaces' numbers; the colours begin with the ambient term.
+// The surfaces' numbers; the colors begin with the ambient term.
 static void shading_of(const Scene *scene, const Paths *paths, Shading *shading, Vectors *colors)
 {
     const double red = scene->ambient[0], green = scene->ambient[1], blue = scene->ambient[2];

@@ -93,7 +93,7 @@ static inline void packet_see(Packet *packet, const Seen *seen)
     }
 }
 
-// Gives the 16 colours to the tile. The nearest is certain if no other can begin before its end.
+// Gives the 16 colors to the tile. The nearest is certain if no other can begin before its end.
 static inline void packet_end(const Packet *packet, int column, int row, Tile *tile)
 {
     int colors[LANES], doubts = 0;

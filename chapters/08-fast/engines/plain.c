@@ -46,7 +46,7 @@ bool cast_rays(const Work *work, Nearest *nearest, const void *of, Message *mess
     int *colors = colors_of(work->scene);
     Casting casting = {work, colors, nearest, of};
     if (colors == NULL)
-        return message_set(message, "no memory for %d colours", work->scene->surface_count);
+        return message_set(message, "no memory for %d colors", work->scene->surface_count);
     in_parallel(work->threads, work->image->size.height, cast_row, &casting);
     free(colors);
     return true;
@@ -70,7 +70,7 @@ bool cast_extreme(const Work *work, Message *message)
     return cast_plain(work, message);
 }
 
-// ---- colours ----------------------------------------------------------------------------------
+// ---- colors ----------------------------------------------------------------------------------
 
 int *colors_of(const Scene *scene)
 {

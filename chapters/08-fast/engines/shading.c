@@ -1,7 +1,7 @@
 // shading.c - chapter 07's pictures: shadows and mirrors.
 //
 // With plain, every ray asks every sphere. With bvh, the bins of step 6 find the spheres that the
-// eye sees, and light.h gives the colours there, for many samples at a time.
+// eye sees, and light.h gives the colors there, for many samples at a time.
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/light.h"
@@ -94,7 +94,7 @@ static void choose_steps(Lit *lit)
     lit->steps = steps_for(&lit->world, columns, rows, count);
 }
 
-// A square of pixels, one path for each, and the sums of the colours of their samples.
+// A square of pixels, one path for each, and the sums of the colors of their samples.
 typedef struct {
     Lit *lit;
     LightPaths *all;

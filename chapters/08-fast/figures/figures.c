@@ -20,7 +20,7 @@ typedef struct {
 } View;
 
 // One of the two lines. It is seen where it meets the image plane; 'touch' is its point that is
-// nearest to the centre.
+// nearest to the center.
 typedef struct {
     vec3 on_plane, touch, end;
     bool is_cut; // at the edge of the screen: then the line need not touch the sphere
@@ -73,7 +73,7 @@ static void plane(Plot *plot, const View *view)
     plot_fit(plot, right, 0);
 }
 
-// $NAME, the line from the eye; $NAME_mark, where it meets the plane; $NAME_radius, from the centre
+// $NAME, the line from the eye; $NAME_mark, where it meets the plane; $NAME_radius, from the center
 // to the line.
 static void edge(Plot *plot, const View *view, const char *name, double x, Edge one)
 {

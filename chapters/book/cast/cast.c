@@ -148,7 +148,7 @@ static bool is_extreme(const Tile *tile)
     return extreme_light(&asked);
 }
 
-// ---- a whole picture in flat colours: the two orders of chapter 06, and chapter 08's engines ----
+// ---- a whole picture in flat colors: the two orders of chapter 06, and chapter 08's engines ----
 
 static bool by_order(const Tile *tile, const char *order)
 {
@@ -209,7 +209,7 @@ const uint8_t *cast(int width, int height, int samples, int depth, int left, int
     return pixels;
 }
 
-// Prints the story of a pixel, from its column and row to its colour, by the functions that are
+// Prints the story of a pixel, from its column and row to its color, by the functions that are
 // linked.
 EXPORTED(explain_pixel) bool explain_pixel(int width, int height, int depth, int column, int row);
 bool explain_pixel(int width, int height, int depth, int column, int row)

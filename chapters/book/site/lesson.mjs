@@ -1,4 +1,4 @@
-// lesson.mjs - a lesson in markdown as HTML: mathematics typeset, code coloured, links led to the pages of the site,
+// lesson.mjs - a lesson in markdown as HTML: mathematics typeset, code colored, links led to the pages of the site,
 // and each figure ready to become live. Runs when the site is built.
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
@@ -14,8 +14,8 @@ export const escape = (text) =>
 
 const language = StreamLanguage.define(c);
 
-/** C code as HTML, coloured by the grammar that the editor uses. */
-export function colouredC(text) {
+/** C code as HTML, colored by the grammar that the editor uses. */
+export function coloredC(text) {
     let html = "";
     highlightCode(text, language.parser.parse(text), classHighlighter,
         (code, classes) => { html += classes ? `<span class="${classes}">${escape(code)}</span>` : escape(code); },
@@ -99,7 +99,7 @@ function fences(markdown, isChapter) {
             return `<div class="mathematics" tabindex="0">${typeset(content, true)}</div>\n`;
         if (language === "sh" && isChapter)
             return /^make exercises EX=\d\d\s*$/.test(content) ? JUDGES : "";
-        return `<pre tabindex="0"><code>${language === "c" ? colouredC(content) : escape(content)}</code></pre>\n`;
+        return `<pre tabindex="0"><code>${language === "c" ? coloredC(content) : escape(content)}</code></pre>\n`;
     };
 }
 

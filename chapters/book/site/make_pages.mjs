@@ -7,7 +7,7 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFi
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { lecturePage, typeset } from "./lecture.mjs";
-import { colouredC, escape, figure, lessonHtml } from "./lesson.mjs";
+import { coloredC, escape, figure, lessonHtml } from "./lesson.mjs";
 
 const [root, site, exercisesFile, lessonsFolder, drawnFolder, lectureFile, filmsFolder, handIn = ""] = process.argv.slice(2);
 const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
@@ -147,9 +147,9 @@ function exercise(stem) {
 </div>
 </div>
 <div class="panel" role="tabpanel" id="panel-answer" aria-labelledby="tab-answer"><div id="editor"><pre tabindex="0"><code>${
-    colouredC(textOf(fileOf(stem)))}</code></pre></div></div>
+    coloredC(textOf(fileOf(stem)))}</code></pre></div></div>
 <div class="panel" role="tabpanel" id="panel-contract" aria-labelledby="tab-contract" hidden><pre tabindex="0"><code>${
-    colouredC(textOf(`exercises/${stem}.h`))}</code></pre></div>
+    coloredC(textOf(`exercises/${stem}.h`))}</code></pre></div>
 <div class="actions">
 <button type="button" class="main" id="judge">Judge <kbd id="judge-keys">Ctrl Enter</kbd></button>
 <button type="button" id="hint">Hint</button>
@@ -297,7 +297,7 @@ for (const stem of stems)
     pageOf(`exercises/${stem}.h`);
 // A listing links to the headers that it includes.
 for (const path of listings) {
-    const code = colouredC(readFileSync(join(root, path), "utf8")).replace(/(#include[^"\n]*)&quot;|"((?:common|exercises)\/[^"<]+\.h)"/g, (whole, _, header) => {
+    const code = coloredC(readFileSync(join(root, path), "utf8")).replace(/(#include[^"\n]*)&quot;|"((?:common|exercises)\/[^"<]+\.h)"/g, (whole, _, header) => {
         const page = header && pageOf(header);
         return page ? `"<a href="../../${page}">${header}</a>"` : whole;
     });

@@ -2,7 +2,7 @@
 //
 // It is linked with a student's answers and, for missing answers, with the reference, if this tree
 // has it (tests/course/answer_pictures.c). No answer is written here a second time. The pictures of
-// the first chapters need later ones: the colour that the reference sees in each direction is
+// the first chapters need later ones: the color that the reference sees in each direction is
 // recorded, as a picture. It does not reveal an answer.
 //
 // Usage: draw SPHERES.nff RECORDED.png NAME PICTURE.png
@@ -33,7 +33,7 @@ typedef struct {
     unsigned char *recorded;
 } View;
 
-// ---- recorded colours -------------------------------------------------------------------------
+// ---- recorded colors -------------------------------------------------------------------------
 
 // The width of the recorded picture, in widths of the camera's image plane; its middle is the same.
 static const double recorded_width = 2;
@@ -70,7 +70,7 @@ static Color seen_along(const View *view, vec3 direction)
                                            0.5 + widths * vec3_dot(direction, c->up)});
 }
 
-// ---- what the colours of pictures.def are made of -----------------------------------------------
+// ---- what the colors of pictures.def are made of -----------------------------------------------
 
 // The camera of the pictures again, by a look-at.
 static Camera looking_at(const View *view, CameraFault from_look_at(LookAt, Handedness, Camera *))

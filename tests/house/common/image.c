@@ -1,4 +1,4 @@
-// image.c - tests of common/image.c, common/image_png.c and common/whole_file.c: colours, the image
+// image.c - tests of common/image.c, common/image_png.c and common/whole_file.c: colors, the image
 // in memory, the picture as a file. Expected: the conventions that they declare; the same picture,
 // read back by libpng itself. What the programs say of their files is in
 // tests/house/command_line.txt; which row is the top one is seen in every picture of a lesson.
@@ -33,42 +33,42 @@ static Image pattern_of(int width, int height)
     return image;
 }
 
-// ---- colours and pixels ---------------------------------------------------------------------
+// ---- colors and pixels ---------------------------------------------------------------------
 
-TEST(byte_from_color, a_byte_is_255_times_the_colour_rounded)
+TEST(byte_from_color, a_byte_is_255_times_the_color_rounded)
 {
     for (int byte = 0; byte < 256; byte++) {
-        given_number("colour", byte / 255.0);
+        given_number("color", byte / 255.0);
         expect_int(byte_from_color(byte / 255.0), byte);
-        given_number("colour", (byte + 0.49) / 255);
+        given_number("color", (byte + 0.49) / 255);
         expect_int(byte_from_color((byte + 0.49) / 255), byte);
-        given_number("colour", (byte - 0.49) / 255);
+        given_number("color", (byte - 0.49) / 255);
         expect_int(byte_from_color((byte - 0.49) / 255), byte);
     }
-    given_number("colour", 0.5);
+    given_number("color", 0.5);
     expect_int(byte_from_color(0.5), 128);
     for (int i = 0; i < 1000; i++) {
         double c = random_number(0, 1);
-        given_number("colour", c);
+        given_number("color", c);
         expect_int(byte_from_color(c), lround(255 * c));
     }
 }
 
-TEST(byte_from_color, colours_outside_0_to_1_are_clamped)
+TEST(byte_from_color, colors_outside_0_to_1_are_clamped)
 {
     const double low[] = {-0.0, -1e-9, -1, -2, -1e300, -INFINITY};
     const double high[] = {1, 1 + 1e-9, 1.01, 2, 257.0 / 255, 1e300, INFINITY};
     for (int i = 0; i < 6; i++) {
-        given_number("colour", low[i]);
+        given_number("color", low[i]);
         expect_int(byte_from_color(low[i]), 0);
     }
     for (int i = 0; i < 7; i++) {
-        given_number("colour", high[i]);
+        given_number("color", high[i]);
         expect_int(byte_from_color(high[i]), 255);
     }
 }
 
-TEST(byte_from_color, a_colour_that_is_no_number_is_black)
+TEST(byte_from_color, a_color_that_is_no_number_is_black)
 {
     expect_int(byte_from_color(NAN), 0);
     expect_int(byte_from_color(copysign(NAN, -1)), 0);

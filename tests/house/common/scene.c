@@ -135,12 +135,12 @@ TEST(scene_read, a_fill_applies_to_what_follows)
     scene_free(&scene);
 }
 
-TEST(scene_read, a_light_is_white_or_has_a_colour)
+TEST(scene_read, a_light_is_white_or_has_a_color)
 {
     Scene scene = scene_of("l 1 2 3\n" VIEW "l -4 5 6 0.5 0.25 1\n");
     expect_int(scene.light_count, 2);
     expect_vec3(scene.lights[0].position, vec3_of(1, 2, 3), 0);
-    // Without a colour white, of two lights the square root of a half.
+    // Without a color white, of two lights the square root of a half.
     expect_vec3(scene.lights[0].color, vec3_of(sqrt(0.5), sqrt(0.5), sqrt(0.5)), 1e-15);
     expect_vec3(scene.lights[1].position, vec3_of(-4, 5, 6), 0);
     expect_vec3(scene.lights[1].color, vec3_of(0.5, 0.25, 1), 0);
@@ -399,12 +399,12 @@ static const struct {
     {"v\nangle\n", 2, "0 numbers, expected angle DEGREES"},
     {"v\nhither\n", 2, "0 numbers, expected hither"},
     {"v\nresolution 64\n", 2, "1 numbers, expected resolution WIDTH HEIGHT"},
-    // colours are from 0 to 1
-    {"b 0 0 1.5\n", 1, "colour of 1.5"},
-    {"b -0.5 0 1\n", 1, "colour of -0.5"},
+    // colors are from 0 to 1
+    {"b 0 0 1.5\n", 1, "color of 1.5"},
+    {"b -0.5 0 1\n", 1, "color of -0.5"},
     {"b 127 127 127\n", 1, "expected 0 to 1"},
-    {"f 0 2 0 1 0 0 0 1\n", 1, "colour of 2"},
-    {"l 1 2 3 1 1 1.01\n", 1, "colour of 1.01"},
+    {"f 0 2 0 1 0 0 0 1\n", 1, "color of 2"},
+    {"l 1 2 3 1 1 1.01\n", 1, "color of 1.01"},
     // unknown words are named
     {VIEW "sphere 1 2 3 4\n", 7, "'sphere', expected one of v b l f s"},
     {VIEW "S 1 2 3 4\n", 7, "'S'"},

@@ -6,7 +6,7 @@
 // SCENES random scenes, from number FIRST on (100, 1), as many whose numbers are far apart, and
 // with the first all scenes that are made to be difficult, on screens of all sizes. Each is drawn
 // by plain and by every other engine, with several threads, and with every instruction set that the
-// engine was compiled for; and with shadows and mirrors, where also the colour that a pixel's ray
+// engine was compiled for; and with shadows and mirrors, where also the color that a pixel's ray
 // sees is compared to the last digit, and the grids of lights are asked for shadows.
 //
 //   same_pictures WIDTHxHEIGHT MOST-TESTS SCENE.nff...
@@ -234,7 +234,7 @@ static void compare_rays(const Made *made)
         int different = 0;
         for (int first = 0; first < count; first += PATHS)
             different += differ(paths, rays + first, right + first, least(count - first, PATHS));
-        snprintf(why, sizeof why, "%d of %d rays of %s see another colour", different, count,
+        snprintf(why, sizeof why, "%d of %d rays of %s see another color", different, count,
                  kind > best ? "chapters" : lanes_names[kind]);
         settle(different == 0, made->name, why);
         settle(kind > best || steps != &steps_by_chapters, made->name, "no steps in lanes");

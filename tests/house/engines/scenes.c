@@ -61,7 +61,7 @@ static void begin(Made *made, unsigned long long number)
         uniform(0, 1);
 }
 
-// One sphere more, of a colour of its own, so that one taken for another shows; two of three
+// One sphere more, of a color of its own, so that one taken for another shows; two of three
 // mirror.
 static void add(vec3 center, double radius)
 {
@@ -293,7 +293,7 @@ static void hardly_before_a_wall(void)
     for (int i = 0; i < 60; i++)
         add(vec3_of(uniform(-0.16, 0.16), uniform(-0.12, 0.12), -0.019), 0.02);
 }
-static void outlines_through_pixel_centres(void)
+static void outlines_through_pixel_centers(void)
 {
     look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 90, 32, 32);
     for (int i = 0; i < 16; i++)
@@ -422,7 +422,7 @@ static void lights_on_surfaces(void)
     light_up(leaves_at(pixel_ray(now->camera, now->size, (Pixel){20, 15})).origin, LIGHT_POINT);
 }
 // Spheres smaller than the steps between the numbers of their places, so a point on one is its
-// centre, and has no normal.
+// center, and has no normal.
 static void smaller_than_rounding(void)
 {
     vec3 there = vec3_of(1e5, -2e5, 1e5);
@@ -472,7 +472,7 @@ static const struct {
                  {"the same, far and near", the_same_far_and_near},
                  {"close behind one another", close_behind_one_another},
                  {"hardly before a wall", hardly_before_a_wall},
-                 {"outlines through pixel centres", outlines_through_pixel_centres},
+                 {"outlines through pixel centers", outlines_through_pixel_centers},
                  {"of one pixel, where tiles meet", of_one_pixel_where_tiles_meet},
                  {"meeting on rays", meeting_on_rays},
                  {"meeting far away", meeting_far_away},

@@ -1,7 +1,7 @@
 """animations.py - what the animations show at each moment, and the frames that are drawn of it.
 
 Scenes are made here at random, as NFF. The expected hits are computed by plane geometry, without a
-quadratic: the point of a ray nearest to a sphere's centre, and half the chord through it.
+quadratic: the point of a ray nearest to a sphere's center, and half the chord through it.
 """
 import math
 import os
@@ -45,7 +45,7 @@ class World:
 
     def __init__(self):
         self.columns, self.rows = random.randint(5, 9), random.randint(5, 9)
-        # Each is its own colour, and leaves a place in the middle to the one behind it.
+        # Each is its own color, and leaves a place in the middle to the one behind it.
         self.colors = [(0.9, 0.3, 0.1), (0.1, 0.6, 0.4), (0.7, 0.4, 0.6), (0.2, 0.5, 0.8)]
         self.spheres = []
         for i in random.sample(range(4), 4):
@@ -86,7 +86,7 @@ def rgb(color):
 
 
 def cells_drawn(figure, columns, rows):
-    """The pixels of the picture: column and row of the middle, and the colour, in the order of drawing."""
+    """The pixels of the picture: column and row of the middle, and the color, in the order of drawing."""
     outline = figure.lines("picture, outline")[0]
     left, right = min(x for x, _ in outline), max(x for x, _ in outline)
     low, high = min(y for _, y in outline), max(y for _, y in outline)
@@ -113,7 +113,7 @@ def image_order(world):
         figure = frame(script, k, "dark" if k == count else "light")
         checks.that(f"image order: frame {k} fills exactly the first {k} pixels", [cell[:2] for cell in
                     cells_drawn(figure, world.columns, world.rows)] == order[:k])
-        checks.that(f"image order: frame {k} has the colours of the closest spheres",
+        checks.that(f"image order: frame {k} has the colors of the closest spheres",
                     [cell[2] for cell in cells_drawn(figure, world.columns, world.rows)] ==
                     [colors[world.shown(*cell)] for cell in order[:k]])
         large_enough(f"image order, frame {k}", figure)

@@ -1,4 +1,4 @@
-"""outputs.py - files of figures are what they should be, and the colours of the themes can be read.
+"""outputs.py - files of figures are what they should be, and the colors of the themes can be read.
 
 outputs.py FOLDER NAME..., in FOLDER/NAME/
 """
@@ -22,7 +22,7 @@ LEGIBLE = 4.5
 
 
 def theme(name):
-    """The colours of common/figure/plot.gp, read by gnuplot itself."""
+    """The colors of common/figure/plot.gp, read by gnuplot itself."""
     inks = ("ink", "grey", "blue", "orange", "green", "pink")
     words = "; ".join(f'print "{each} ".{each}' for each in (*inks, "background", "surface"))
     done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; {words}"],
@@ -32,7 +32,7 @@ def theme(name):
         for ground in ("background", "surface"):
             ratio = contrast(colors[ink], colors[ground])
             checks.that(f"{name}: {ink} can be read on {ground}", ratio >= LEGIBLE, f"{ratio:.2f} to 1")
-    checks.that(f"{name}: no two colours are one", len({tuple(colors[ink]) for ink in inks}) == len(inks))
+    checks.that(f"{name}: no two colors are one", len({tuple(colors[ink]) for ink in inks}) == len(inks))
 
 
 def extra(name):

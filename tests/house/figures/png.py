@@ -1,7 +1,7 @@
-"""png.py - the colours of a PNG, by libpng's simplified interface: red, green, blue, pixel by pixel.
+"""png.py - the colors of a PNG, by libpng's simplified interface: red, green, blue, pixel by pixel.
 
 From the upper left on, row by row, as bytes. As a program: do two files hold the same picture, that is, the same size
-and the same colours, however each was encoded? Exit status 0 if they do, 1 with the first difference if not.
+and the same colors, however each was encoded? Exit status 0 if they do, 1 with the first difference if not.
 
     png.py ONE.png OTHER.png [PIXELS [MEAN]]
     png.py ONE.png OTHER.png --blocks MOST
@@ -25,15 +25,15 @@ class Image(ctypes.Structure):
 
 
 def read(data, path=""):
-    """(width, height), colours"""
+    """(width, height), colors"""
     library = ctypes.CDLL(ctypes.util.find_library("png16") or "libpng16.so.16")
     image = Image(version=PNG_IMAGE_VERSION)
     good = library.png_image_begin_read_from_memory(ctypes.byref(image), data, ctypes.c_size_t(len(data)))
     image.format = PNG_FORMAT_RGB
-    colours = ctypes.create_string_buffer(3 * image.width * image.height)
-    good = good and library.png_image_finish_read(ctypes.byref(image), None, colours, 0, None)
+    colors = ctypes.create_string_buffer(3 * image.width * image.height)
+    good = good and library.png_image_finish_read(ctypes.byref(image), None, colors, 0, None)
     assert good, f"{path}: {image.message.decode()}"
-    return (image.width, image.height), colours.raw
+    return (image.width, image.height), colors.raw
 
 
 def decoded(data, path=""):
@@ -45,9 +45,9 @@ def pixels(path):
 
 
 def pixel(path, column, row):
-    (width, _), colours = read(Path(path).read_bytes(), path)
+    (width, _), colors = read(Path(path).read_bytes(), path)
     at = 3 * (row * width + column)
-    return tuple(colours[at:at + 3])
+    return tuple(colors[at:at + 3])
 
 
 def apart(one, other):
@@ -57,14 +57,14 @@ def apart(one, other):
 
 
 def blocks_apart(one, other, width, height):
-    """The largest difference of the means of a block, of its three colours."""
+    """The largest difference of the means of a block, of its three colors."""
     most = 0
     for top in range(0, height, BLOCK):
         rows = range(top, min(top + BLOCK, height))
         for left in range(0, width, BLOCK):
             right = min(left + BLOCK, width)
-            for colour in range(3):
-                parts = [slice(3 * (row * width + left) + colour, 3 * (row * width + right), 3) for row in rows]
+            for color in range(3):
+                parts = [slice(3 * (row * width + left) + color, 3 * (row * width + right), 3) for row in rows]
                 sums = [sum(sum(picture[part]) for part in parts) for picture in (one, other)]
                 most = max(most, abs(sums[0] - sums[1]) / (len(rows) * (right - left)))
     return most

@@ -122,14 +122,14 @@ if figure is not None:
 figure = figure_of("to_object_coordinates", "05-quadratic",
                    ("ray.origin - sphere.center, ray.direction", "ray.origin + sphere.center, ray.direction"))
 if figure is not None:
-    # From (1, 2, 3) along (0, 0, -1), round (4, -1, 1): seen from the side of the centre.
+    # From (1, 2, 3) along (0, 0, -1), round (4, -1, 1): seen from the side of the center.
     right, yours, v = (-3, 3, 2), (5, 1, 4), (0, 0, -1)
     up = times(1 / math.sqrt(18), (3, -3, 0))
     side = (v[1] * up[2] - v[2] * up[1], v[2] * up[0] - v[0] * up[2], v[0] * up[1] - v[1] * up[0])
     figure.see(side, up, v, azimuth=16, elevation=12)
     checks.near("object: the right arrow", figure.tips("right"), figure.place(plus(right, v)))
     checks.near("object: your arrow", figure.tips("yours"), figure.place(plus(yours, v)))
-    checks.near("object: the centre", figure.dots("center"), figure.place((0, 0, 0)))
+    checks.near("object: the center", figure.dots("center"), figure.place((0, 0, 0)))
     has_words(figure, "from (−3, 3, 2) along (0, 0, −1)", "from (5, 1, 4) along (0, 0, −1)",
               "starts off by (8, −2, 2)", "p + C")
 
@@ -200,7 +200,7 @@ if figure is not None:
 
 
 def section(name, stem, change, p, v, spheres, right, yours, words):
-    """p, v: the ray; spheres: centre and radius; right and yours: t."""
+    """p, v: the ray; spheres: center and radius; right and yours: t."""
     figure = figure_of(name, stem, change)
     if figure is None:
         return
@@ -269,7 +269,7 @@ if figure is not None:
 
 
 def pixels_of_png(path):
-    """Row by row, a colour of three bytes for each pixel."""
+    """Row by row, a color of three bytes for each pixel."""
     flat = png.pixels(path)
     with open(path, "rb") as file:
         width, height = struct.unpack(">II", file.read(24)[16:])

@@ -1,4 +1,4 @@
-# ray.gp - a ray as the centre of a sphere sees it, and another one dashed beside it.
+# ray.gp - a ray as the center of a sphere sees it, and another one dashed beside it.
 title = asked.": yours beside the right one"
 description = sprintf("A sphere of radius %s around the origin, and two rays. ", radius_text).beside_words(0)
 steps = 2

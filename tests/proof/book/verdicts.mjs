@@ -111,7 +111,7 @@ const bodies = {
     "abort": "abort();",
     "an unset result": "vec3 v; v[0] = 1; return v;",
     "sums without a beginning": "double x, y, z; x += c.origin[0]; y += c.origin[1]; z += c.origin[2]; return vec3_of(x, y, z);",
-    "a colour that does not begin at black": "vec3 sum; for (int i = 0; i < 3; i++) sum += c.origin; return sum;",
+    "a color that does not begin at black": "vec3 sum; for (int i = 0; i < 3; i++) sum += c.origin; return sum;",
     "a helper that sums up without a beginning": "return total(c);",
     "the same where another helper has left zeros": "vec3 sum = black(c); for (int i = 0; i < 1; i++) sum += total(c); return sum;",
     "an int that was never set": "int i; return i == 0 ? c.origin : i * c.right;",

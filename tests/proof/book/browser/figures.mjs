@@ -85,7 +85,7 @@ test("live figures, by mouse, finger, key and number", async () => {
     assert.deepEqual(all.faults, []);
     await all.close();
 
-    // By mouse: the centre of the sphere follows the pointer, to the right and up; then it is put back.
+    // By mouse: the center of the sphere follows the pointer, to the right and up; then it is put back.
     const tab = await open("05-quadratic", "ray-sphere"), first = await state(tab, "ray-sphere");
     assert.deepEqual(first.numbers, { origin: "-4,-1,0", direction: "0.89,0.45,0", center: "0,0,0", radius: "1" });
     // The numbers of the example in the text of the lesson.
@@ -93,7 +93,7 @@ test("live figures, by mouse, finger, key and number", async () => {
     const inLecture = await inText();
     await drag(tab, await handleOf(tab, "ray-sphere", "C,"), 30, -20);
     const moved = await changed(tab, "ray-sphere", first), [x, y, z] = numbers(moved.numbers.center);
-    assert.ok(x > 0 && y > 0 && z === 0 && Math.abs(x / y - 1.5) < 0.1, `the centre is at ${moved.numbers.center}`);
+    assert.ok(x > 0 && y > 0 && z === 0 && Math.abs(x / y - 1.5) < 0.1, `the center is at ${moved.numbers.center}`);
     assert.notEqual(moved.words, first.words);
 
     // By key: the radius grows and shrinks. By number: a wrong one is explained, a right one drawn.

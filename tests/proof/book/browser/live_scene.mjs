@@ -15,12 +15,12 @@ const tab = await openPage(`${stem}.html`, { width: 1440, height: 900 });
 const state = () => tab.$eval(".live-scene", (each) => {
     const canvas = each.querySelector("canvas"), small = Object.assign(document.createElement("canvas"), { width: 32, height: 24 }).getContext("2d");
     small.drawImage(canvas, 0, 0, 32, 24);
-    return { isFine: canvas.hasAttribute("data-fine"), colours: [...small.getImageData(0, 0, 32, 24).data], credit: each.querySelector(".credit").textContent,
+    return { isFine: canvas.hasAttribute("data-fine"), colors: [...small.getImageData(0, 0, 32, 24).data], credit: each.querySelector(".credit").textContent,
         trouble: each.querySelector(".note").textContent, things: [...each.querySelectorAll(".handles button")].map((handle) => handle.getAttribute("aria-label")),
         story: each.querySelector(".story").textContent };
 }).catch(() => ({}));
 const fine = (what, isWanted) => waitFor(what, async () => { const now = await state(); return now.isFine && isWanted(now) && now; });
-const apart = (a, b) => Math.max(...a.colours.map((each, at) => Math.abs(each - b.colours[at])));
+const apart = (a, b) => Math.max(...a.colors.map((each, at) => Math.abs(each - b.colors[at])));
 const sphereA = (now) => /^sphere A at (.*)\. Drag/.exec(now.things.find((each) => each.startsWith("sphere A")))[1].split(",").map(Number);
 
 test("a scene beside the exercise", async (t) => {
@@ -52,7 +52,7 @@ test("a scene beside the exercise", async (t) => {
         await tab.mouse.move(at.x + 40, at.y - 20, { steps: 5 });
         await tab.mouse.up();
         const moved = await fine("a moved sphere", (now) => sphereA(now)[0] > before[0] && apart(reference, now) > 50), [x, y, z] = sphereA(moved);
-        // 320 pixels are 2 (20 - 1) tan(42/2) at the distance of its centre.
+        // 320 pixels are 2 (20 - 1) tan(42/2) at the distance of its center.
         const unit = 2 * 19 * Math.tan(21 * Math.PI / 180) / 320;
         assert.ok(Math.abs(x - before[0] - 40 * unit) < 0.01 && Math.abs(y - before[1] - 20 * unit) < 0.01 && Math.abs(z - before[2]) < 0.01, `it is at ${[x, y, z]}`);
         await tab.$eval('.handles button[data-kind="s"]', (each) => each.focus());

@@ -15,8 +15,8 @@ const solutions = readdirSync("solutions").filter((name) => /^\d\d-.*\.c$/.test(
 /** The picture is complete, and these words are below it: both at once. */
 const fine = (what, words) => waitFor(what, async () => words.test(await tab.$eval("#picture", (each) =>
     each.querySelector("canvas[data-fine]") ? each.querySelector(".credit").textContent : "").catch(() => "")));
-/** The picture's colours, in 16 x 9 parts. */
-const colours = () => tab.$eval("#picture canvas", (canvas) => {
+/** The picture's colors, in 16 x 9 parts. */
+const colors = () => tab.$eval("#picture canvas", (canvas) => {
     const small = Object.assign(document.createElement("canvas"), { width: 16, height: 9 }).getContext("2d");
     small.drawImage(canvas, 0, 0, 16, 9);
     return [...small.getImageData(0, 0, 16, 9).data];
@@ -35,28 +35,28 @@ test("the picture of the start page", async (t) => {
     let before;
     await t.test("the reference casts it", async () => {
         await fine("a picture by the reference", /by the reference/);
-        before = await colours();
+        before = await colors();
         await tab.shot("own-picture-reference");
     });
     await t.test("a key turns it, and the picture is fine again", async () => {
         await tab.focus("#picture canvas");
         await tab.keyboard.press("ArrowLeft");
-        await waitFor("another picture", async () => await tab.$("#picture canvas[data-fine]") && apart(before, await colours()) > 8);
+        await waitFor("another picture", async () => await tab.$("#picture canvas[data-fine]") && apart(before, await colors()) > 8);
         await tab.keyboard.press("ArrowRight");
-        await waitFor("the first picture", async () => await tab.$("#picture canvas[data-fine]") && apart(before, await colours()) <= 2);
+        await waitFor("the first picture", async () => await tab.$("#picture canvas[data-fine]") && apart(before, await colors()) <= 2);
     });
     await t.test("right answers draw it, and are named; a wrong one does not", async () => {
         await upload({ "02-cameras.c": right("02-cameras.c"), "01-corners.c": right("01-corners.c").replace(/return [^;]*w[^;]*;/, "return c.up;") });
         await fine("a picture with some answers", /^Yours, \d+ of \d+ functions: .*camera_from/);
         await tab.shot("own-picture-some");
-        assert.ok(apart(before, await colours()) <= 2);
+        assert.ok(apart(before, await colors()) <= 2);
     });
     await t.test("all answers: drawn by the student's own code, to be saved", async () => {
         await upload(Object.fromEntries(solutions.map((name) => [name, right(name)])));
         await fine("a picture by all answers", /^Drawn by your own code/);
         await tab.shot("own-picture-all");
         assert.equal(await tab.$eval("#picture button", (each) => each.hidden), false);
-        const after = await colours();
+        const after = await colors();
         assert.ok(apart(before, after) <= 2, `the parts differ by ${apart(before, after)}`);
     });
     await t.test("nothing went wrong in the page", () => assert.deepEqual(tab.faults, []));
