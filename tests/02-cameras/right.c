@@ -97,34 +97,28 @@ static Measured measured(vec3 v)
     return (Measured){vec3_unit(v), vec3_length(v)};
 }
 
-// ---- look-at ----------------------------------------------------------------------------------
-
-// As in gluLookAt: z points backwards, x = up x z, y = z x x.
-static CameraFault with_z_backwards(LookAt view, Handedness world, Camera *camera)
-{
-    vec3 back = view.eye - view.at;
-    if (!vec3_is_finite(back) || !vec3_is_finite(view.up))
-        return CAMERA_NOT_FINITE;
-    double distance = vec3_length(back);
-    if (distance == 0)
-        return CAMERA_NO_DIRECTION;
-    vec3 z = back / distance, x = vec3_cross(view.up, z);
-    if (vec3_length(view.up) == 0 || vec3_length(x) / vec3_length(view.up) <= CAMERA_TOLERANCE)
-        return CAMERA_UP_ALONG_VIEW;
-    x = vec3_unit(x);
-    vec3 y = vec3_cross(z, x);
-    if (world == LEFT_HANDED)
-        x = -x;
-    if (!(view.width > 0) || !(view.aspect > 0) || !isfinite(view.aspect))
-        return view.width > 0 ? CAMERA_NO_HEIGHT : CAMERA_NO_WIDTH;
-    return give((Camera){view.eye, x, y, -z, distance, view.width, view.width / view.aspect},
-                camera);
-}
-
-// ---- width from angle -------------------------------------------------------------------------
-
 RIGHT_LINE(camera_from_points, "points first; the middle from a diagonal",
            return by_diagonals(eye, points, camera))
+
+RIGHT(camera_from_points, "neither NaN nor a line is a rectangle")
+{
+    Corners v = {points.upper_left - eye, points.upper_right - eye, points.lower_left - eye,
+                 points.lower_right - eye};
+    return no_rectangle_first(eye, v, camera);
+}
+
+RIGHT(camera_from_points, "a corner and two edges, and the fourth corner")
+{
+    vec3 across = points.lower_right - points.lower_left,
+         up = points.upper_left - points.lower_left;
+    vec3 gap = points.upper_right - (points.lower_left + across + up);
+    double size = vec3_length(across) + vec3_length(up);
+    if (!vec3_is_finite(points.upper_right))
+        return CAMERA_NOT_FINITE;
+    if (size > 0 && vec3_length(gap) > CAMERA_TOLERANCE * size)
+        return CAMERA_NO_RECTANGLE;
+    return halfway_from_the_corner(eye, points.lower_left, across, up, camera);
+}
 
 RIGHT(camera_from_vectors, "as points, seen from the origin")
 {
@@ -177,11 +171,31 @@ RIGHT(camera_from_vectors, "forward and d along the normal; four angles")
 RIGHT_LINE(camera_from_vectors, "neither NaN nor a line is a rectangle",
            return no_rectangle_first(eye, vectors, camera))
 
-RIGHT(camera_from_points, "neither NaN nor a line is a rectangle")
+// A parallelogram is one whose diagonals cross in their middles; a rectangle, if they are equal.
+RIGHT(camera_from_vectors, "diagonals that are equal and halve each other")
 {
-    Corners v = {points.upper_left - eye, points.upper_right - eye, points.lower_left - eye,
-                 points.lower_right - eye};
-    return no_rectangle_first(eye, v, camera);
+    Corners v = vectors;
+    vec3 falling = v.lower_right - v.upper_left, rising = v.upper_right - v.lower_left;
+    vec3 apart = (v.upper_left + v.lower_right) / 2 - (v.upper_right + v.lower_left) / 2;
+    vec3 right = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
+    vec3 middle = v.upper_left + falling / 2;
+    double size = vec3_length(falling), d = vec3_length(middle);
+    double w = vec3_length(right), h = vec3_length(up);
+    if (!vec3_is_finite(eye) || !isfinite(size + vec3_length(rising) + d))
+        return CAMERA_NOT_FINITE;
+    if (w == 0 || h == 0)
+        return w == 0 ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
+    if (d == 0)
+        return CAMERA_NO_DISTANCE;
+    // The difference of the diagonals is a length: compared with an edge, it is the cosine of the
+    // angle.
+    if (vec3_length(apart) > CAMERA_TOLERANCE * size ||
+        fabs(vec3_dot(falling, falling) - vec3_dot(rising, rising)) > CAMERA_TOLERANCE * w * h)
+        return CAMERA_NO_RECTANGLE;
+    // And so do the vectors to opposite corners.
+    if (!at_right_angles(middle, right) || !at_right_angles(middle, up))
+        return CAMERA_OFF_AXIS;
+    return give((Camera){eye, right / w, up / h, middle / d, d, w, h}, camera);
 }
 
 RIGHT(camera_from_corner, "neither NaN nor a line is a rectangle")
@@ -198,6 +212,28 @@ RIGHT(camera_from_corner, "turned into points")
     Corners points = {lower_left + up, lower_left + up + across, lower_left, lower_left + across};
     return by_diagonals(eye, points, camera);
 }
+
+RIGHT(camera_from_corner, "a struct of direction and length, and loops")
+{
+    Measured right = measured(across), above = measured(up);
+    Measured ahead = measured(lower_left + (across + up) / 2 - eye);
+    const vec3 ways[] = {right.way, above.way, ahead.way};
+    const double lengths[] = {right.length, above.length, ahead.length};
+    const CameraFault faults[] = {CAMERA_NO_WIDTH, CAMERA_NO_HEIGHT, CAMERA_NO_DISTANCE};
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(lengths[i]) || !vec3_is_finite(eye))
+            return CAMERA_NOT_FINITE;
+    for (int i = 0; i < 3; i++)
+        if (lengths[i] == 0)
+            return faults[i];
+    for (int i = 0; i < 3; i++)
+        if (fabs(vec3_dot(ways[i], ways[(i + 1) % 3])) > CAMERA_TOLERANCE)
+            return i == 0 ? CAMERA_NO_RECTANGLE : CAMERA_OFF_AXIS;
+    return give((Camera){eye, ways[0], ways[1], ways[2], lengths[2], lengths[0], lengths[1]},
+                camera);
+}
+
+// ---- look-at ----------------------------------------------------------------------------------
 
 // Gram and Schmidt: up without its part along forward, and right from both.
 RIGHT(camera_from_look_at, "Gram and Schmidt; reasons in another order")
@@ -255,6 +291,30 @@ RIGHT(camera_from_look_at, "the rest left to camera_check")
     return give((Camera){view.eye, r, u, f, d, view.width, view.width / view.aspect}, camera);
 }
 
+// As in gluLookAt: z points backwards, x = up x z, y = z x x.
+RIGHT(camera_from_look_at, "z backwards, x = up x z, y = z x x")
+{
+    vec3 back = view.eye - view.at;
+    if (!vec3_is_finite(back) || !vec3_is_finite(view.up))
+        return CAMERA_NOT_FINITE;
+    double distance = vec3_length(back);
+    if (distance == 0)
+        return CAMERA_NO_DIRECTION;
+    vec3 z = back / distance, x = vec3_cross(view.up, z);
+    if (vec3_length(view.up) == 0 || vec3_length(x) / vec3_length(view.up) <= CAMERA_TOLERANCE)
+        return CAMERA_UP_ALONG_VIEW;
+    x = vec3_unit(x);
+    vec3 y = vec3_cross(z, x);
+    if (world == LEFT_HANDED)
+        x = -x;
+    if (!(view.width > 0) || !(view.aspect > 0) || !isfinite(view.aspect))
+        return view.width > 0 ? CAMERA_NO_HEIGHT : CAMERA_NO_WIDTH;
+    return give((Camera){view.eye, x, y, -z, distance, view.width, view.width / view.aspect},
+                camera);
+}
+
+// ---- width from angle -------------------------------------------------------------------------
+
 RIGHT(width_from_angle, "sine by cosine")
 {
     double half = degrees * (PI / 360);
@@ -268,92 +328,5 @@ RIGHT(width_from_angle, "from the whole angle")
     return 2 * distance * sin(angle) / (1 + cos(angle));
 }
 
-// A parallelogram is one whose diagonals cross in their middles; a rectangle, if they are equal.
-RIGHT(camera_from_vectors, "diagonals that are equal and halve each other")
-{
-    Corners v = vectors;
-    vec3 falling = v.lower_right - v.upper_left, rising = v.upper_right - v.lower_left;
-    vec3 apart = (v.upper_left + v.lower_right) / 2 - (v.upper_right + v.lower_left) / 2;
-    vec3 right = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
-    vec3 middle = v.upper_left + falling / 2;
-    double size = vec3_length(falling), d = vec3_length(middle);
-    double w = vec3_length(right), h = vec3_length(up);
-    if (!vec3_is_finite(eye) || !isfinite(size + vec3_length(rising) + d))
-        return CAMERA_NOT_FINITE;
-    if (w == 0 || h == 0)
-        return w == 0 ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
-    if (d == 0)
-        return CAMERA_NO_DISTANCE;
-    // The difference of the diagonals is a length: compared with an edge, it is the cosine of the
-    // angle.
-    if (vec3_length(apart) > CAMERA_TOLERANCE * size ||
-        fabs(vec3_dot(falling, falling) - vec3_dot(rising, rising)) > CAMERA_TOLERANCE * w * h)
-        return CAMERA_NO_RECTANGLE;
-    // And so do the vectors to opposite corners.
-    if (!at_right_angles(middle, right) || !at_right_angles(middle, up))
-        return CAMERA_OFF_AXIS;
-    return give((Camera){eye, right / w, up / h, middle / d, d, w, h}, camera);
-}
-
-RIGHT(camera_from_points, "a corner and two edges, and the fourth corner")
-{
-    vec3 across = points.lower_right - points.lower_left,
-         up = points.upper_left - points.lower_left;
-    vec3 gap = points.upper_right - (points.lower_left + across + up);
-    double size = vec3_length(across) + vec3_length(up);
-    if (!vec3_is_finite(points.upper_right))
-        return CAMERA_NOT_FINITE;
-    if (size > 0 && vec3_length(gap) > CAMERA_TOLERANCE * size)
-        return CAMERA_NO_RECTANGLE;
-    return halfway_from_the_corner(eye, points.lower_left, across, up, camera);
-}
-
-RIGHT(camera_from_corner, "a struct of direction and length, and loops")
-{
-    Measured right = measured(across), above = measured(up);
-    Measured ahead = measured(lower_left + (across + up) / 2 - eye);
-    const vec3 ways[] = {right.way, above.way, ahead.way};
-    const double lengths[] = {right.length, above.length, ahead.length};
-    const CameraFault faults[] = {CAMERA_NO_WIDTH, CAMERA_NO_HEIGHT, CAMERA_NO_DISTANCE};
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(lengths[i]) || !vec3_is_finite(eye))
-            return CAMERA_NOT_FINITE;
-    for (int i = 0; i < 3; i++)
-        if (lengths[i] == 0)
-            return faults[i];
-    for (int i = 0; i < 3; i++)
-        if (fabs(vec3_dot(ways[i], ways[(i + 1) % 3])) > CAMERA_TOLERANCE)
-            return i == 0 ? CAMERA_NO_RECTANGLE : CAMERA_OFF_AXIS;
-    return give((Camera){eye, ways[0], ways[1], ways[2], lengths[2], lengths[0], lengths[1]},
-                camera);
-}
-
-RIGHT_LINE(camera_from_look_at, "z backwards, x = up x z, y = z x x",
-           return with_z_backwards(view, world, camera))
-
-// up = (f x up) x f without a cross product: subtract f times f.up.
-RIGHT(camera_from_look_at, "up minus its part along the view")
-{
-    vec3 f = vec3_unit(view.at - view.eye), u = vec3_unit(view.up);
-    double d = vec3_length(view.at - view.eye), sine = vec3_length(vec3_cross(f, u));
-    if (!vec3_is_finite(view.eye) || !vec3_is_finite(view.at) || !vec3_is_finite(view.up))
-        return CAMERA_NOT_FINITE;
-    if (d == 0 || !(sine > CAMERA_TOLERANCE))
-        return d == 0 ? CAMERA_NO_DIRECTION : CAMERA_UP_ALONG_VIEW;
-    u = (u - vec3_dot(f, u) * f) / sine;
-    u = vec3_unit(u - vec3_dot(f, u) * f);
-    vec3 r = vec3_cross(f, u);
-    double height = 1 / view.aspect * view.width;
-    return give((Camera){view.eye, world == LEFT_HANDED ? -r : r, u, f, d, view.width, height},
-                camera);
-}
-
 RIGHT_LINE(width_from_angle, "in long double",
            return (double)(2.0L * distance * tanl(degrees * 3.14159265358979323846264L / 360)))
-
-// Twice what a right-angled triangle has: its legs are as sine to cosine.
-RIGHT(width_from_angle, "the legs of a triangle, with sine and cosine")
-{
-    double radians = degrees * PI / 180, hypotenuse = distance / cos(radians / 2);
-    return hypotenuse * sin(radians / 2) + hypotenuse * sin(radians - radians / 2);
-}

@@ -11,102 +11,6 @@ static double squared_excess(Ray ray, double radius, double t)
     return vec3_dot(point, point) - radius * radius;
 }
 
-// ---- world_quadratic ----------------------------------------------------------------------------
-
-// (p + tv)^2 = p^2 + 2pv t + v^2 t^2, of one axis.
-static Quadratic squared(double p, double v)
-{
-    return (Quadratic){v * v, 2 * p * v, p * p};
-}
-
-static Quadratic sum(Quadratic a, Quadratic b)
-{
-    return (Quadratic){a.a + b.a, a.b + b.b, a.c + b.c};
-}
-
-// ---- quadratic_roots ----------------------------------------------------------------------------
-
-static Roots line(double b, double c)
-{
-    return b == 0 ? (Roots){.count = 0} : (Roots){1, {-c / b}};
-}
-
-static Roots plain(Quadratic q)
-{
-    if (q.a == 0)
-        return line(q.b, q.c);
-    double d = q.b * q.b - 4 * q.a * q.c;
-    if (d < 0)
-        return (Roots){.count = 0};
-    double root = sqrt(d);
-    Roots roots = {2, {(-q.b - root) / (2 * q.a), (-q.b + root) / (2 * q.a)}};
-    if (roots.t[0] > roots.t[1]) {
-        double swapped = roots.t[0];
-        roots.t[0] = roots.t[1];
-        roots.t[1] = swapped;
-    }
-    return roots;
-}
-
-static Roots half_b(Quadratic q)
-{
-    double h = q.b / 2, d = h * h - q.a * q.c;
-    if (q.a == 0)
-        return line(q.b, q.c);
-    if (d < 0)
-        return (Roots){.count = 0};
-    double t = (-h - sqrt(d)) / q.a, u = (-h + sqrt(d)) / q.a;
-    return (Roots){2, {fmin(t, u), fmax(t, u)}};
-}
-
-// The sum that does not cancel; the other root from the product of both (Citardauq).
-static Roots without_cancelling(Quadratic q)
-{
-    if (q.a == 0)
-        return line(q.b, q.c);
-    double d = q.b * q.b - 4 * q.a * q.c;
-    if (d < 0)
-        return (Roots){.count = 0};
-    double sum = q.b < 0 ? -q.b + sqrt(d) : -q.b - sqrt(d);
-    double t = sum / (2 * q.a), u = sum == 0 ? 0 : 2 * q.c / sum;
-    return t < u ? (Roots){2, {t, u}} : (Roots){2, {u, t}};
-}
-
-// So that nothing overflows: the roots stay the same.
-static Roots largest_made_1(Quadratic q)
-{
-    double largest = fmax(fabs(q.a), fmax(fabs(q.b), fabs(q.c)));
-    return largest == 0 ? (Roots){.count = 0}
-                        : plain((Quadratic){q.a / largest, q.b / largest, q.c / largest});
-}
-
-static double root_with_sign(Quadratic q, double root, int sign)
-{
-    return (-q.b + sign * root) / (2 * q.a);
-}
-
-// ---- sphere_roots -------------------------------------------------------------------------------
-
-static Roots by_the_closest_point(Ray ray, Sphere sphere)
-{
-    vec3 p = ray.origin - sphere.center, v = ray.direction;
-    double a = vec3_dot(v, v), foot = -vec3_dot(p, v) / a;
-    double l = vec3_length(p + foot * v), r = sphere.radius;
-    if (l > r)
-        return (Roots){.count = 0};
-    double half = sqrt((r - l) * (r + l) / a);
-    return (Roots){2, {foot - half, foot + half}};
-}
-
-// ---- hit_sphere ---------------------------------------------------------------------------------
-
-static double first_ahead(const double *t, int count)
-{
-    if (count == 0)
-        return NO_HIT;
-    return *t > 0 ? *t : first_ahead(t + 1, count - 1);
-}
-
 // |p + v|^2 = |p|^2 + 2 p.v + |v|^2.
 RIGHT(object_quadratic, "b from |p + v|")
 {
@@ -146,6 +50,35 @@ RIGHT(object_quadratic, "with fma")
     return q;
 }
 
+RIGHT(object_quadratic, "c = (|p| - r)(|p| + r)")
+{
+    vec3 p = object_ray.origin, v = object_ray.direction;
+    double distance = vec3_length(p);
+    return (Quadratic){vec3_dot(v, v), vec3_dot(p, v) + vec3_dot(v, p),
+                       (distance - radius) * (distance + radius)};
+}
+
+RIGHT(object_quadratic, "the parabola through t = -1, 0 and 1")
+{
+    double before = squared_excess(object_ray, radius, -1),
+           at = squared_excess(object_ray, radius, 0),
+           after = squared_excess(object_ray, radius, 1);
+    return (Quadratic){(before + after) / 2 - at, (after - before) / 2, at};
+}
+
+// ---- world_quadratic ----------------------------------------------------------------------------
+
+// (p + tv)^2 = p^2 + 2pv t + v^2 t^2, of one axis.
+static Quadratic squared(double p, double v)
+{
+    return (Quadratic){v * v, 2 * p * v, p * p};
+}
+
+static Quadratic sum(Quadratic a, Quadratic b)
+{
+    return (Quadratic){a.a + b.a, a.b + b.b, a.c + b.c};
+}
+
 RIGHT(world_quadratic, "a helper that squares one axis")
 {
     Quadratic q = {.c = -sphere.radius * sphere.radius};
@@ -173,6 +106,52 @@ RIGHT(world_quadratic, "c = (|p - C| + r)(|p - C| - r)")
     return (Quadratic){.a = vec3_dot(ray.direction, ray.direction),
                        .b = 2 * vec3_dot(ray.direction, from_center),
                        .c = (far + sphere.radius) * (far - sphere.radius)};
+}
+
+RIGHT_LINE(world_quadratic, "made of the other two answers",
+           return object_quadratic(to_object_coordinates(ray, sphere), sphere.radius))
+
+// ---- quadratic_roots ----------------------------------------------------------------------------
+
+static Roots line(double b, double c)
+{
+    return b == 0 ? (Roots){.count = 0} : (Roots){1, {-c / b}};
+}
+
+static Roots plain(Quadratic q)
+{
+    if (q.a == 0)
+        return line(q.b, q.c);
+    double d = q.b * q.b - 4 * q.a * q.c;
+    if (d < 0)
+        return (Roots){.count = 0};
+    double root = sqrt(d);
+    Roots roots = {2, {(-q.b - root) / (2 * q.a), (-q.b + root) / (2 * q.a)}};
+    if (roots.t[0] > roots.t[1]) {
+        double swapped = roots.t[0];
+        roots.t[0] = roots.t[1];
+        roots.t[1] = swapped;
+    }
+    return roots;
+}
+
+static Roots half_b(Quadratic q)
+{
+    double h = q.b / 2, d = h * h - q.a * q.c;
+    if (q.a == 0)
+        return line(q.b, q.c);
+    if (d < 0)
+        return (Roots){.count = 0};
+    double t = (-h - sqrt(d)) / q.a, u = (-h + sqrt(d)) / q.a;
+    return (Roots){2, {fmin(t, u), fmax(t, u)}};
+}
+
+// So that nothing overflows: the roots stay the same.
+static Roots largest_made_1(Quadratic q)
+{
+    double largest = fmax(fabs(q.a), fmax(fabs(q.b), fabs(q.c)));
+    return largest == 0 ? (Roots){.count = 0}
+                        : plain((Quadratic){q.a / largest, q.b / largest, q.c / largest});
 }
 
 RIGHT_LINE(quadratic_roots, "divided by the largest coefficient", return largest_made_1(q))
@@ -219,9 +198,38 @@ RIGHT(quadratic_roots, "the sign that comes first depends on the sign of a")
         return line(q.b, q.c);
     if (!(d >= 0))
         return (Roots){.count = 0};
-    int first = q.a > 0 ? -1 : 1;
-    return (Roots){2, {root_with_sign(q, sqrt(d), first), root_with_sign(q, sqrt(d), -first)}};
+    double first = q.a > 0 ? -sqrt(d) : sqrt(d);
+    return (Roots){2, {(-q.b + first) / (2 * q.a), (-q.b - first) / (2 * q.a)}};
 }
+
+RIGHT_LINE(quadratic_roots, "the slide's formula, and a swap", return plain(q))
+RIGHT_LINE(quadratic_roots, "half of b", return half_b(q))
+
+// t^2 + pt + q = 0, as taught in German schools.
+RIGHT(quadratic_roots, "divided by a first")
+{
+    if (q.a == 0)
+        return line(q.b, q.c);
+    double middle = -(q.b / q.a) / 2, d = middle * middle - q.c / q.a;
+    if (d < 0)
+        return (Roots){.count = 0};
+    return (Roots){2, {middle - sqrt(d), middle + sqrt(d)}};
+}
+
+// The sum that does not cancel; the other root from the product of both (Citardauq).
+RIGHT(quadratic_roots, "the other root from the product")
+{
+    if (q.a == 0)
+        return line(q.b, q.c);
+    double d = q.b * q.b - 4 * q.a * q.c;
+    if (d < 0)
+        return (Roots){.count = 0};
+    double sum = q.b < 0 ? -q.b + sqrt(d) : -q.b - sqrt(d);
+    double t = sum / (2 * q.a), u = sum == 0 ? 0 : 2 * q.c / sum;
+    return t < u ? (Roots){2, {t, u}} : (Roots){2, {u, t}};
+}
+
+// ---- sphere_roots -------------------------------------------------------------------------------
 
 // All lengths of the world in radii: then the sphere has radius 1 and its center at the origin.
 RIGHT(sphere_roots, "the world divided by the radius")
@@ -242,16 +250,41 @@ RIGHT(sphere_roots, "the distance with the cross product")
     return (Roots){.count = 2, .t = {(middle - half) / length, (middle + half) / length}};
 }
 
-RIGHT(sphere_roots, "a circle in the plane along the ray")
+RIGHT_LINE(sphere_roots, "made of the other answers",
+           return plain(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius)))
+RIGHT_LINE(sphere_roots, "in world coordinates", return half_b(world_quadratic(ray, sphere)))
+
+RIGHT(sphere_roots, "the center projected onto the ray")
 {
-    vec3 p = ray.origin - sphere.center, along = vec3_unit(ray.direction);
-    double x = vec3_dot(p, along), r = sphere.radius;
-    vec3 across = p - x * along;
-    double y_squared = vec3_dot(across, across);
-    if (y_squared > r * r)
-        return (Roots){0, {0, 0}};
-    double reach = sqrt(r * r - y_squared), speed = vec3_dot(ray.direction, along);
-    return (Roots){2, {(-reach - x) / speed, (reach - x) / speed}};
+    double length = vec3_length(ray.direction);
+    vec3 way = ray.direction / length, to_center = sphere.center - ray.origin;
+    double along = vec3_dot(to_center, way);
+    double aside_squared = vec3_dot(to_center, to_center) - along * along;
+    double half_squared = sphere.radius * sphere.radius - aside_squared;
+    if (half_squared < 0)
+        return (Roots){.count = 0};
+    double half = sqrt(half_squared);
+    return (Roots){2, {(along - half) / length, (along + half) / length}};
+}
+
+RIGHT(sphere_roots, "half a chord from the closest point")
+{
+    vec3 p = ray.origin - sphere.center, v = ray.direction;
+    double a = vec3_dot(v, v), foot = -vec3_dot(p, v) / a;
+    double l = vec3_length(p + foot * v), r = sphere.radius;
+    if (l > r)
+        return (Roots){.count = 0};
+    double half = sqrt((r - l) * (r + l) / a);
+    return (Roots){2, {foot - half, foot + half}};
+}
+
+// ---- hit_sphere ---------------------------------------------------------------------------------
+
+static double first_ahead(const double *t, int count)
+{
+    if (count == 0)
+        return NO_HIT;
+    return *t > 0 ? *t : first_ahead(t + 1, count - 1);
 }
 
 RIGHT(hit_sphere, "the foot of the perpendicular, and half a chord")
@@ -317,87 +350,12 @@ RIGHT(hit_sphere, "in radii, and in long double")
     return near > 0 ? (double)near : far > 0 ? (double)far : NO_HIT;
 }
 
-RIGHT(object_quadratic, "component by component")
-{
-    Quadratic q = {0, 0, -(radius * radius)};
-    for (int i = 0; i < 3; i++) {
-        q.a += object_ray.direction[i] * object_ray.direction[i];
-        q.b += object_ray.direction[i] * object_ray.origin[i] * 2;
-        q.c += object_ray.origin[i] * object_ray.origin[i];
-    }
-    return q;
-}
-
-RIGHT(object_quadratic, "c = (|p| - r)(|p| + r)")
-{
-    vec3 p = object_ray.origin, v = object_ray.direction;
-    double distance = vec3_length(p);
-    return (Quadratic){vec3_dot(v, v), vec3_dot(p, v) + vec3_dot(v, p),
-                       (distance - radius) * (distance + radius)};
-}
-
-RIGHT(object_quadratic, "the parabola through t = -1, 0 and 1")
-{
-    double before = squared_excess(object_ray, radius, -1),
-           at = squared_excess(object_ray, radius, 0),
-           after = squared_excess(object_ray, radius, 1);
-    return (Quadratic){(before + after) / 2 - at, (after - before) / 2, at};
-}
-
-RIGHT_LINE(world_quadratic, "made of the other two answers",
-           return object_quadratic(to_object_coordinates(ray, sphere), sphere.radius))
-RIGHT_LINE(quadratic_roots, "the slide's formula, and a swap", return plain(q))
-
-RIGHT_LINE(quadratic_roots, "half of b", return half_b(q))
-
-// t^2 + pt + q = 0, as taught in German schools.
-RIGHT(quadratic_roots, "divided by a first")
-{
-    if (q.a == 0)
-        return line(q.b, q.c);
-    double middle = -(q.b / q.a) / 2, d = middle * middle - q.c / q.a;
-    if (d < 0)
-        return (Roots){.count = 0};
-    return (Roots){2, {middle - sqrt(d), middle + sqrt(d)}};
-}
-
-RIGHT_LINE(quadratic_roots, "the other root from the product", return without_cancelling(q))
-RIGHT_LINE(sphere_roots, "made of the other answers",
-           return plain(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius)))
-RIGHT_LINE(sphere_roots, "in world coordinates", return half_b(world_quadratic(ray, sphere)))
-
-RIGHT(sphere_roots, "the center projected onto the ray")
-{
-    double length = vec3_length(ray.direction);
-    vec3 way = ray.direction / length, to_center = sphere.center - ray.origin;
-    double along = vec3_dot(to_center, way);
-    double aside_squared = vec3_dot(to_center, to_center) - along * along;
-    double half_squared = sphere.radius * sphere.radius - aside_squared;
-    if (half_squared < 0)
-        return (Roots){.count = 0};
-    double half = sqrt(half_squared);
-    return (Roots){2, {(along - half) / length, (along + half) / length}};
-}
-
-RIGHT_LINE(sphere_roots, "half a chord from the closest point",
-           return by_the_closest_point(ray, sphere))
-
 RIGHT(hit_sphere, "conditions instead of a loop")
 {
     Roots roots = sphere_roots(ray, sphere);
     if (roots.count == 0 || roots.t[1] <= 0)
         return NO_HIT;
     return roots.t[0] > 0 ? roots.t[0] : roots.t[1];
-}
-
-RIGHT(hit_sphere, "the smallest of those above 0")
-{
-    Roots roots = by_the_closest_point(ray, sphere);
-    double nearest = NO_HIT;
-    for (int i = 0; i < roots.count; i++)
-        if (roots.t[i] > 0 && roots.t[i] < nearest)
-            nearest = roots.t[i];
-    return nearest;
 }
 
 RIGHT(hit_sphere, "from the last root down")
