@@ -463,10 +463,8 @@ static void expect_aimed(Aimed aimed)
                     ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
 }
 
-TEST(sphere_roots, the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn)
-{
-    expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE);
-}
+TEST_LINE(sphere_roots, the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn,
+          expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE))
 
 TEST(sphere_roots, a_sphere_away_from_the_origin_is_met_at_the_same_t)
 {

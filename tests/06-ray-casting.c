@@ -27,7 +27,8 @@ static Sphere sphere_at(double x, double y, double z, double radius, int color)
 typedef void Cast(const Scene *scene, Camera camera, Image *image);
 
 // A test for each order: image_order_SENTENCE and object_order_SENTENCE.
-#define IN_BOTH_ORDERS(sentence)                                                                   \
+#define TEST_BOTH_ORDERS(sentence)                                                                 \
+    static void sentence(Cast *cast);                                                              \
     TEST(cast_image_order, image_order_##sentence)                                                 \
     {                                                                                              \
         sentence(image_order);                                                                     \
@@ -35,7 +36,8 @@ typedef void Cast(const Scene *scene, Camera camera, Image *image);
     TEST(cast_object_order, object_order_##sentence)                                               \
     {                                                                                              \
         sentence(object_order);                                                                    \
-    }
+    }                                                                                              \
+    static void sentence(Cast *cast)
 
 enum { SHELLS = 8, MOST_PIXELS = 16 * 9 };
 
@@ -439,7 +441,7 @@ TEST(nearest_hit, from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere
 
 // ---- both orders: what the picture shows -------------------------------------------------------
 
-static void paints_over_the_old_contents_of_the_image(Cast *cast)
+TEST_BOTH_ORDERS(paints_over_the_old_contents_of_the_image)
 {
     Scene scene = scene_of(0, NULL);
     // Neither 1 nor almost 0 is changed by a mistake in the colors.
@@ -449,11 +451,10 @@ static void paints_over_the_old_contents_of_the_image(Cast *cast)
     for (int i = 0; i < 4; i++)
         expect_drawn(cast, scene, sizes[i], pictures[i]);
 }
-IN_BOTH_ORDERS(paints_over_the_old_contents_of_the_image)
 
 // From the eye the sphere, 10 away, is a cone; on the plane, 1 away, a disc whose radius squared is
 // r^2 / (100 - r^2). So 3 for r^2 = 75: pixels with x^2 + y^2 < 3.
-static void draws_a_sphere_straight_ahead_as_a_disc(Cast *cast)
+TEST_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 {
     Sphere spheres[] = {sphere_at(0, 0, -10, 8.660254037844386, RED)};
     expect_drawn(cast, scene_of(1, spheres), (Resolution){7, 5},
@@ -463,11 +464,10 @@ static void draws_a_sphere_straight_ahead_as_a_disc(Cast *cast)
                  "..rrr.."
                  ".......");
 }
-IN_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 
 // One sphere in the direction of each colored pixel, and none is near another. Green is farther
 // away than those before it in the list.
-static void shows_left_and_right_and_up_and_down_where_they_are(Cast *cast)
+TEST_BOTH_ORDERS(shows_left_and_right_and_up_and_down_where_they_are)
 {
     Sphere spheres[] = {sphere_at(-20, 10, -10, 2, RED), sphere_at(0, 10, -10, 2, RED),
                         sphere_at(-10, -10, -10, 2, BLUE), sphere_at(20, 0, -10, 2, GREEN)};
@@ -476,11 +476,10 @@ static void shows_left_and_right_and_up_and_down_where_they_are(Cast *cast)
                  "....g"
                  ".b...");
 }
-IN_BOTH_ORDERS(shows_left_and_right_and_up_and_down_where_they_are)
 
 // All straight ahead: on the plane the radius squared of the farther one's disc is 225 / 175, of
 // the nearer one's 1 / 15.
-static void shows_the_nearer_sphere_in_any_order_of_the_scene(Cast *cast)
+TEST_BOTH_ORDERS(shows_the_nearer_sphere_in_any_order_of_the_scene)
 {
     Sphere near = sphere_at(0, 0, -4, 1, RED), far = sphere_at(0, 0, -20, 15, GREEN);
     Sphere near_first[] = {near, far}, far_first[] = {far, near};
@@ -490,9 +489,8 @@ static void shows_the_nearer_sphere_in_any_order_of_the_scene(Cast *cast)
                      ".grg."
                      "..g..");
 }
-IN_BOTH_ORDERS(shows_the_nearer_sphere_in_any_order_of_the_scene)
 
-static void gives_equal_hits_the_color_of_the_lower_index(Cast *cast)
+TEST_BOTH_ORDERS(gives_equal_hits_the_color_of_the_lower_index)
 {
     Sphere spheres[] = {sphere_at(0, 0, -10, 8, BLUE), sphere_at(0, 0, -10, 8, RED)};
     expect_drawn(cast, scene_of(2, spheres), (Resolution){3, 3},
@@ -500,10 +498,9 @@ static void gives_equal_hits_the_color_of_the_lower_index(Cast *cast)
                  "bbb"
                  ".b.");
 }
-IN_BOTH_ORDERS(gives_equal_hits_the_color_of_the_lower_index)
 
 // From the center of a sphere every pixel is blue, unless another sphere is inside it.
-static void looks_out_from_inside_a_sphere(Cast *cast)
+TEST_BOTH_ORDERS(looks_out_from_inside_a_sphere)
 {
     Sphere spheres[] = {sphere_at(0, 0, 0, 50, BLUE), sphere_at(10, 0, -10, 2, RED)};
     Scene scene = scene_of(2, spheres);
@@ -512,10 +509,9 @@ static void looks_out_from_inside_a_sphere(Cast *cast)
     camera.width = 8; // pixels 2 wide: centers at -3, -1, 1, 3
     expect_picture(cast, &scene, camera, size, "bbrb");
 }
-IN_BOTH_ORDERS(looks_out_from_inside_a_sphere)
 
 // The plane is 8 away; red is in front of it, blue beyond it, green behind the eye.
-static void shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye(Cast *cast)
+TEST_BOTH_ORDERS(shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye)
 {
     Sphere spheres[] = {sphere_at(-2, 0, -4, 0.5, RED), sphere_at(0, 0, 5, 2, GREEN),
                         sphere_at(8, 0, -16, 2, BLUE)};
@@ -526,11 +522,10 @@ static void shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye(Ca
     camera.width = 12;
     expect_picture(cast, &scene, camera, size, "r.b");
 }
-IN_BOTH_ORDERS(shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye)
 
 // The deck's camera: eye (2, 2, -4), plane x 1 to 3, y 1 to 3 at z = 0. Four pixels each way: the
 // center of the upper left one is (1.25, 2.75, 0), and red is there; green is in the lower row.
-static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
+TEST_BOTH_ORDERS(draws_with_the_left_handed_camera_of_the_deck)
 {
     Sphere spheres[] = {sphere_at(1.25, 2.75, 0, 0.1, RED), sphere_at(2.25, 1.25, 0, 0.1, GREEN)};
     Scene scene = scene_of(2, spheres);
@@ -540,12 +535,11 @@ static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
                    "...."
                    "..g.");
 }
-IN_BOTH_ORDERS(draws_with_the_left_handed_camera_of_the_deck)
 
 // Seen from z = 400 the rays are nearly along -z. Five pixels each way, 2 wide at z = 0: their
 // centers are -4, -2 .. 4. By hand, as above: on each of them red is in front of green, and green
 // in front of blue.
-static void draws_the_three_spheres_of_the_deck(Cast *cast)
+TEST_BOTH_ORDERS(draws_the_three_spheres_of_the_deck)
 {
     Scene scene = scene_of_the_deck();
     Resolution size = {5, 5};
@@ -560,9 +554,8 @@ static void draws_the_three_spheres_of_the_deck(Cast *cast)
                    "bbggg"
                    "..ggg");
 }
-IN_BOTH_ORDERS(draws_the_three_spheres_of_the_deck)
 
-static void draws_spheres_one_behind_the_other_as_cones_say(Cast *cast)
+TEST_BOTH_ORDERS(draws_spheres_one_behind_the_other_as_cones_say)
 {
     Resolution size = {16, 9};
     int checked = 0;
@@ -579,7 +572,6 @@ static void draws_spheres_one_behind_the_other_as_cones_say(Cast *cast)
         checked += expect_picture_of_shells(cast, scene, camera, size);
     }
 }
-IN_BOTH_ORDERS(draws_spheres_one_behind_the_other_as_cones_say)
 
 // ---- object order: its depth, and that image order agrees --------------------------------------
 
@@ -832,7 +824,7 @@ TEST(nearest_hit, the_last_of_many_spheres_is_hit)
 
 // ---- both orders --------------------------------------------------------------------------------
 
-static void draws_worlds_of_any_size(Cast *cast)
+TEST_BOTH_ORDERS(draws_worlds_of_any_size)
 {
     Resolution size = {4, 3};
     for (int i = 0; i < SCALES; i++) {
@@ -842,13 +834,12 @@ static void draws_worlds_of_any_size(Cast *cast)
         expect_picture_of_shells(cast, scene_of(SHELLS, spheres), camera, size);
     }
 }
-IN_BOTH_ORDERS(draws_worlds_of_any_size)
 
 static const Resolution shapes[] = {{1, 9}, {9, 1},  {1, 1},  {3, 8}, {2, 5},
                                     {5, 2}, {40, 1}, {1, 40}, {17, 2}};
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
-static void draws_pictures_of_any_shape(Cast *cast)
+TEST_BOTH_ORDERS(draws_pictures_of_any_shape)
 {
     for (int i = 0; i < SHAPES; i++) {
         Sphere spheres[SHELLS];
@@ -856,9 +847,8 @@ static void draws_pictures_of_any_shape(Cast *cast)
         expect_picture_of_shells(cast, scene_of(SHELLS, spheres), camera, shapes[i]);
     }
 }
-IN_BOTH_ORDERS(draws_pictures_of_any_shape)
 
-static void draws_the_last_of_many_spheres(Cast *cast)
+TEST_BOTH_ORDERS(draws_the_last_of_many_spheres)
 {
     Resolution size = {2, 1};
     for (int i = 0; i <= 2 * ROOMS; i++) {
@@ -871,10 +861,9 @@ static void draws_the_last_of_many_spheres(Cast *cast)
         expect_picture(cast, &scene, camera, size, "gg");
     }
 }
-IN_BOTH_ORDERS(draws_the_last_of_many_spheres)
 
 // As above for nearest_hit; in most pictures the farther one is the first.
-static void draws_the_nearer_of_two_close_together(Cast *cast)
+TEST_BOTH_ORDERS(draws_the_nearer_of_two_close_together)
 {
     Resolution size = {1, 1};
     for (int i = 0; i < 54; i++) {
@@ -889,7 +878,6 @@ static void draws_the_nearer_of_two_close_together(Cast *cast)
         expect_picture(cast, &scene, camera, size, "r");
     }
 }
-IN_BOTH_ORDERS(draws_the_nearer_of_two_close_together)
 
 // A picture of one pixel, straight ahead.
 static void expect_green(Cast *cast, Scene scene)
@@ -897,19 +885,17 @@ static void expect_green(Cast *cast, Scene scene)
     expect_drawn(cast, scene, (Resolution){1, 1}, "g");
 }
 
-static void draws_spheres_however_small_t_is(Cast *cast)
+TEST_BOTH_ORDERS(draws_spheres_however_small_t_is)
 {
     for (int i = 0; i < RUNGS; i++)
         expect_green(cast, two_at(down(i)));
 }
-IN_BOTH_ORDERS(draws_spheres_however_small_t_is)
 
-static void draws_spheres_however_large_t_is(Cast *cast)
+TEST_BOTH_ORDERS(draws_spheres_however_large_t_is)
 {
     for (int i = 0; i < RUNGS; i++)
         expect_green(cast, two_at(up(i)));
 }
-IN_BOTH_ORDERS(draws_spheres_however_large_t_is)
 
 // ---- depth --------------------------------------------------------------------------------------
 
@@ -1009,12 +995,6 @@ static void ask_for_pictures(Cast *cast)
     }
 }
 
-PROBE(cast_image_order, pictures_of_any_scene_in_image_order)
-{
-    ask_for_pictures(image_order);
-}
+PROBE_LINE(cast_image_order, pictures_of_any_scene_in_image_order, ask_for_pictures(image_order))
 
-PROBE(cast_object_order, pictures_of_any_scene_in_object_order)
-{
-    ask_for_pictures(object_order);
-}
+PROBE_LINE(cast_object_order, pictures_of_any_scene_in_object_order, ask_for_pictures(object_order))

@@ -589,10 +589,8 @@ TEST(ambient_term, ambient_light_is_multiplied_color_by_color)
     expect_ambient(vec3_of(1, 0, 0), 0.5, vec3_of(0, 1, 1), vec3_of(0, 0, 0));
 }
 
-TEST(ambient_term, strong_ambient_light_may_be_brighter_than_white)
-{
-    expect_ambient(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(4, 3, 2), vec3_of(3.6, 1.5, 0.2));
-}
+TEST_LINE(ambient_term, strong_ambient_light_may_be_brighter_than_white,
+          expect_ambient(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(4, 3, 2), vec3_of(3.6, 1.5, 0.2)))
 
 // The result is chosen, and the ambient light made to fit.
 TEST(ambient_term, a_chosen_term_is_found_again_in_ambient_light_of_any_strength)
@@ -667,11 +665,9 @@ TEST(diffuse_term, light_is_multiplied_color_by_color)
                    vec3_of(0, 0, 0));
 }
 
-TEST(diffuse_term, a_bright_light_may_be_scattered_brighter_than_white)
-{
-    expect_diffuse(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(8, 8, 8), straight_up, vec3_of(0, 3, 4),
-                   vec3_of(4.32, 2.4, 0.48));
-}
+TEST_LINE(diffuse_term, a_bright_light_may_be_scattered_brighter_than_white,
+          expect_diffuse(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(8, 8, 8), straight_up, vec3_of(0, 3, 4),
+                         vec3_of(4.32, 2.4, 0.48)))
 
 TEST(diffuse_term, at_a_chosen_angle_its_cosine_is_scattered)
 {
@@ -1024,10 +1020,8 @@ static void expect_encoded(Color color, double gamma, Color encoded)
     expect_vec3(gamma_encode(color, gamma), encoded, TOLERANCE);
 }
 
-TEST(gamma_encode, with_a_gamma_of_1_nothing_changes)
-{
-    expect_encoded(vec3_of(0.25, 0.5, 0.75), 1, vec3_of(0.25, 0.5, 0.75));
-}
+TEST_LINE(gamma_encode, with_a_gamma_of_1_nothing_changes,
+          expect_encoded(vec3_of(0.25, 0.5, 0.75), 1, vec3_of(0.25, 0.5, 0.75)))
 
 // The display squares its input, so a quarter of the light needs half; and so on.
 TEST(gamma_encode, a_gamma_of_2_needs_the_square_root_and_3_the_cube_root)
@@ -1239,15 +1233,9 @@ static void expect_hidden_by_one_of_four(int which)
     expect_visible(vec3_of(0, 5, 0), point_light(0, 5, 10), 1);
 }
 
-TEST(visibility, the_first_of_many_spheres_is_enough)
-{
-    expect_hidden_by_one_of_four(0);
-}
+TEST_LINE(visibility, the_first_of_many_spheres_is_enough, expect_hidden_by_one_of_four(0))
 
-TEST(visibility, the_last_of_many_spheres_is_enough)
-{
-    expect_hidden_by_one_of_four(3);
-}
+TEST_LINE(visibility, the_last_of_many_spheres_is_enough, expect_hidden_by_one_of_four(3))
 
 TEST(visibility, two_spheres_hide_a_light_no_more_than_one)
 {

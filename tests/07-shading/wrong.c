@@ -822,11 +822,10 @@ GAMMA("GA-red", "only red encoded", "the display does the same to all three.", "
 GAMMA("GA-two", "blue left out", "three numbers are 0, 1 and 2: the loop ends too early.",
       "a yellowish picture", i < 2 ? right : c)
 
-WRONG(gamma_encode, "GA-mean", "the mean encoded, the hue kept",
-      "the display raises each of the three to the power by itself.", "colors that are too strong")
-{
-    return mean(color) > 0 ? color / mean(color) * pow(mean(color), 1 / gamma) : color;
-}
+WRONG_LINE(gamma_encode, "GA-mean", "the mean encoded, the hue kept",
+           "the display raises each of the three to the power by itself.",
+           "colors that are too strong",
+           return mean(color) > 0 ? color / mean(color) * pow(mean(color), 1 / gamma) : color)
 
 WRONG(gamma_encode, "GA-length", "the length encoded",
       "a color is not a direction. The display raises each of the three to the power by itself.",
