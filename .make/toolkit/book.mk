@@ -120,6 +120,23 @@ $(BOOK)/programs/cast.wasm: $(CASTING) $(call wasm_objects,$(foreach s,$(STEMS),
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -mexec-model=reactor -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
 
+# The gallery of mistakes: a scene cast with any of them, and its questions, which nobody should read by chance.
+BOOK_MISTAKES := $(if $(FROM),,$(BOOK)/programs/mistaken.wasm $(BOOK)/mistakes.json.gz)
+$(call wasm_of,$(call known,wrong)): WASM_EXTRA = $(AS_KNOWN)
+$(call wasm_of,$(call known,wrong)): $(B)/reference.h
+$(call wasm_of,$(call known,wrong)): WASM_OPTIMIZE = -Os
+WASM_SWITCHED := $(STEMS:%=$(WASM)/tests/switched/%.o)
+$(WASM_SWITCHED): $(WASM)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/weak.h
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include solutions/$*.c -o $@ $<
+$(BOOK)/programs/mistaken.wasm: $(WASM)/chapters/book/cast/mistaken.o $(CASTING) $(WASM_SWITCHED) \
+		$(call wasm_of,$(call known,wrong) $(B)/tests/judge/known.o $(CALLING)) $(WASM)/shared.a $(WASM)/common.a
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -mexec-model=reactor -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
+$(BOOK)/mistakes.json.gz: chapters/mistakes/questions.txt chapters/mistakes/show_mistakes.py $(call known,wrong) | $(B)/tests/mistaken/06-ray-casting
+	$(Q)$(SHOW_MISTAKES) gallery $(B) | gzip -9nc > $@
+
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
 PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(if $(FROM),,$(STEMS:%=$(WASM)/link/%-right.o) $(CASTING_LINK))
@@ -240,7 +257,7 @@ $(BOOK_TABLES): $(BOOK)/tables/%.gz: $(if $(FROM),$(ARCHIVED),$(TABLE))/%
 	$(Q)gzip -9nc $< > $@
 
 # The list of files for the service worker is of all that is there, so it comes last.
-$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_CASTING) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) $(BOOK_TABLES) \
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_CASTING) $(BOOK_MISTAKES) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) $(BOOK_TABLES) \
 		$(BOOK)/compiler/sizes.json
 	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
 

@@ -4,11 +4,13 @@
     show_mistakes.py show BUILD NAME      the pictures, and each figure that differs, with 'solid: expected, dashed: yours'
     show_mistakes.py questions BUILD      questions to the class (questions.txt): BUILD/questions/questions.txt is a lecture of
                                           them (chapters/slides/lecture.py), with their pictures beside it
+    show_mistakes.py gallery BUILD        the questions of each chapter for its gallery in a page, without the right answers (JSON)
 
 NAME: of names.txt, or FUNCTION/ID. BUILD/tests/mistaken/NN-stem is the program of each chapter, by any of the mistakes
 (tests/proof/mistaken_figures.c); BUILD/solutions has the right pictures and figures. All of it is in BUILD/mistakes/.
 """
 import html
+import json
 import os
 import re
 import shutil
@@ -190,10 +192,16 @@ def as_formula(text):
     return "$" + re.sub(r"(\w)\.(\w)", r"\1 \\cdot \2", text).replace("max", r"\max").replace("point", r"\mathit{point}") + "$"
 
 
-def question(mistakes, line, number, folder, build):
+def asked(mistakes):
+    for line in (HERE / "questions.txt").read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            part, function, ids, right = (each.strip() for each in line.split("|", 3))
+            yield part, [find(mistakes, f"{function}/{each}") for each in ids.split()], right
+
+
+def question(wrong, right, number, folder, build):
     """A slide: two pictures, four lines to choose from; then which it was, and why."""
-    part, function, ids, right = (each.strip() for each in line.split("|", 3))
-    wrong = [find(mistakes, f"{function}/{each}") for each in ids.split()]
+    function = wrong[0].function
     kind = casts(build, wrong[0], folder)[0]
     name = f"ask-{number}-{function.replace('_', '-')}"
     for who in ("right", "yours"):
@@ -204,7 +212,7 @@ def question(mistakes, line, number, folder, build):
     formulas = "\n".join(f"**{letter[each]}** \u2002 {as_formula(each.formula if each else right)}" for each in choices)
     why = wrong[0].why if len(wrong[0].why) < 150 else wrong[0].why.partition(". ")[0] + "."
     others = "\n".join(f"{letter[each]} would show: {each.picture}. {capital(each.why)}" for each in wrong[1:])
-    return part, f"""= Which line was it?
+    return f"""= Which line was it?
 name: {name}
 minutes: 2
 exercise: {wrong[0].stem[:2]} {function}
@@ -224,20 +232,25 @@ Let the room vote, discuss in pairs, and vote again.
 def questions(build):
     folder = build / "questions"
     folder.mkdir(exist_ok=True)
-    lines = [line for line in (HERE / "questions.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
-    mistakes, text, before = known(build), FIRST_QUESTION, ""
-    for number, line in enumerate(lines, 1):
-        part, slide = question(mistakes, line, number, folder, build)
-        text += f"== {part}\n" * (part != before) + slide
+    text, before = FIRST_QUESTION, ""
+    for number, (part, wrong, right) in enumerate((each for each in asked(known(build)) if each[0]), 1):
+        text += f"== {part}\n" * (part != before) + question(wrong, right, number, folder, build)
         before = part
     (folder / "questions.txt").write_text(text, encoding="utf-8")
+
+
+def gallery(build):
+    chapters = {}
+    for _, wrong, _ in asked(known(build)):
+        chapters.setdefault(wrong[0].stem, []).append([each._asdict() for each in wrong])
+    print(json.dumps(chapters))
 
 
 def main(what, build, name=""):
     if what == "show":
         show(Path(build), name)
     else:
-        {"list": list_all, "questions": questions}[what](Path(build))
+        {"list": list_all, "questions": questions, "gallery": gallery}[what](Path(build))
 
 
 if __name__ == "__main__":

@@ -25,10 +25,11 @@ function check(isGood) {
 }
 
 /** view: ten numbers (cast.c); none: the scene's own. explained: a pixel, {column, row}, instead of a tile. */
-function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, explained }) {
+function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, mistake, explained }) {
     const { exports } = instance, numbers = () => new Float64Array(exports.memory.buffer, exports.view(), 10);
     if (view)
         numbers().set(view);
+    exports.choose_mistake?.(mistake);
     if (explained) {
         system.stdout.resize(0);
         check(exports.explain_pixel(width, height, depth, explained.column, explained.row));

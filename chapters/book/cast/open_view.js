@@ -2,18 +2,16 @@
 import { Pool } from "./pool.js";
 import { SceneView } from "./scene_view.js";
 
-async function fetched(site, name) {
+export async function fetched(site, name) {
     const response = await fetch(new URL(name, site));
     if (!response.ok)
         throw new Error(`${name} could not be fetched: the host says ${response.status}`);
     return response;
 }
 
-/** A scene of the site, as text. */
-export async function sceneOf(site, name) {
-    const packed = await fetched(site, `scenes/${name}.nff.gz`);
-    return new Response(packed.body.pipeThrough(new DecompressionStream("gzip"))).text();
-}
+/** A compressed text of the site. */
+export const unzipped = async (site, name) => new Response((await fetched(site, name)).body.pipeThrough(new DecompressionStream("gzip"))).text();
+export const sceneOf = (site, name) => unzipped(site, `scenes/${name}.nff.gz`);
 
 /** The program with the reference's answers. */
 export const referenceProgram = async (site) => WebAssembly.compileStreaming(await fetched(site, "programs/cast.wasm"));

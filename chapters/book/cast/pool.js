@@ -17,7 +17,7 @@ function tilesOf(pass) {
 }
 
 /**
- * @typedef {{width: number, height: number, samples: number, depth: number, view: number[] | null, caster: string}} Pass
+ * @typedef {{width: number, height: number, samples: number, depth: number, view: number[] | null, caster: string, mistake: number}} Pass
  * @typedef {{program: WebAssembly.Module, scene: string}} Opened what is cast: a scene, by a program
  */
 export class Pool {

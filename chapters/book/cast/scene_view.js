@@ -25,7 +25,7 @@ export class SceneView {
      * @param {{samples?: number, depth?: number} & Told} given samples: in each direction of a pixel, in the end
      */
     constructor(canvas, pool, { samples = 1, depth = 5, ...told }) {
-        Object.assign(this, { canvas, pool, samples, depth, told, caster: "" });
+        Object.assign(this, { canvas, pool, samples, depth, told, caster: "", mistake: -1 }); // mistaken.c
         this.context = canvas.getContext("2d");
         this.divided = 4; // a picture that moves has a pixel for so many columns and rows
         this.version = 0;
@@ -87,7 +87,7 @@ export class SceneView {
 
     pass(divided, samples = 1) {
         const { width, height } = this.canvas, view = this.view && numbersOf(this.view);
-        return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view, caster: this.caster };
+        return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view, caster: this.caster, mistake: this.mistake };
     }
 
     finer() {

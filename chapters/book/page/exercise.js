@@ -179,7 +179,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         $("verdict").dataset.result = verdict.done ? "right" : "wrong";
         $("verdict").classList.toggle("old", editor.text() !== judged);
         editor.mark(marksOf(verdict, stem, text));
-        $("way-on").replaceChildren(...(verdict.done ? [wayOn(stem, course)] : []));
+        $("way-on").replaceChildren(...(verdict.done ? wayOn(stem, course) : []));
         const about = verdict.parts.find(({ kind }) => kind === "function")?.label ?? "";
         if (about !== subject && verdict.total > 0) {
             $("hints").replaceChildren(); // their function is done with

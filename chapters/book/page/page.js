@@ -201,6 +201,8 @@ addEventListener("pageshow", (event) => {
 
 if (kind === "start")
     await setUpStart(course);
+if (kind === "mistakes")
+    import("./mistakes.js").then(({ setUpMistakes }) => setUpMistakes({ site, course, answers, showTrouble })).catch((reason) => showTrouble(`${reason.message}.`));
 if (kind === "chapter") {
     setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict: () => showProgress(course) });
 }

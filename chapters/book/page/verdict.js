@@ -8,7 +8,8 @@ export const element = (name, attributes, ...children) => {
     made.append(...children);
     return made;
 };
-const sentence = (words) => words[0].toUpperCase() + words.slice(1) + (/[.?!]$/.test(words) ? "" : ".");
+/** A formula at the beginning keeps its letter. */
+export const sentence = (words) => words.replace(/^[a-z](?=[a-z])/, (letter) => letter.toUpperCase()) + (/[.?!]$/.test(words) ? "" : ".");
 /** A ~ holds a name and its number together. */
 const spoken = (words) => words.replaceAll("~", "\u00a0");
 const wordsOf = (parts, ...names) => parts.find(({ kind, label }) => names.includes(kind === "field" ? label : kind))?.words ?? "";
@@ -130,8 +131,9 @@ export function shown(verdict, stem, text, goTo) {
     return { strip, first: [firstOf(verdict, trouble ? messages : []), ...(at > 0 ? [" ", lineButton(at)] : [])], details };
 }
 
-/** After a chapter that is right: the way to the next one. */
+/** After a chapter that is right: the way to the next one, and to the gallery of its mistakes, which a handout's site has not. */
 export function wayOn(stem, { stems, titles }) {
-    const next = stems[stems.indexOf(stem) + 1];
-    return element("a", { class: "begin", href: next ? `${next}.html` : "index.html" }, next ? `Go on: ${titles[next]}` : "To the start page");
+    const next = stems[stems.indexOf(stem) + 1], hasGallery = document.documentElement.dataset.figures !== "static";
+    return [element("a", { class: "begin", href: next ? `${next}.html` : "index.html" }, next ? `Go on: ${titles[next]}` : "To the start page"),
+        ...(hasGallery ? [" ", element("a", { class: "button", href: `mistakes.html#${stem}` }, "Look at what can go wrong")] : [])];
 }

@@ -95,7 +95,7 @@ ${fonts(mathematics).map((font) => `<link rel="preload" href="${up}fonts/${font}
 <a class="home" href="${up}index.html"${kind === "start" ? ' aria-current="page"' : ""}>Ray casting<span>, step by step</span></a>
 <nav aria-label="Chapters"><button type="button" id="titles" popovertarget="menu" aria-label="Titles and progress">☰</button><ol>${chapters(false)}</ol><p class="title">${stem && escape(shortTitle(stem))}</p>
 <ol id="menu" popover>${chapters(true)}</ol></nav>
-<div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a><button type="button" id="theme">Theme</button></div>
+<div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a>${isHandout ? "" : `<a href="${up}mistakes.html${stem && `#${stem}`}"${kind === "mistakes" ? ' aria-current="page"' : ""}>Mistakes</a>`}<button type="button" id="theme">Theme</button></div>
 </header>
 ${main}
 </body>
@@ -238,6 +238,24 @@ The verdicts here are for you: marks come from your instructor, who judges the a
 </section>
 <footer><p>The questions, and the order of the steps, are from the lecture deck <cite>Ray Tracing, Part I</cite> by Geoffrey Matthews, Department of Computer
 Science, Western Washington University, Fall 2015. The sphereflake is from Eric Haines' Standard Procedural Databases.</p></footer>
+</main>` }));
+
+// ---- the gallery of known mistakes: page/mistakes.js fills it ------------------------------------
+
+if (!isHandout)
+    write("mistakes.html", frame({ title: "What went wrong · Ray casting", kind: "mistakes", main: `<main class="figures mistakes" id="main">
+<h1>What went wrong</h1>
+<p>Each picture here is cast in this page by one known mistake. Which line was it? You can turn the picture. The pictures of a chapter open when all its functions are right.</p>
+<ol class="chapters">${stems.map((stem) => `<li data-stem="${stem}"><a href="#${stem}"><span class="number">${stem.slice(0, 2)}</span> ${escape(shortTitle(stem))}</a> <span class="done">${countOf(stem)}</span></li>`).join("\n")}</ol>
+<p class="note" id="trouble" role="alert" hidden></p>
+<p id="closed" role="status"></p>
+<section id="question" aria-labelledby="asked" hidden>
+<figure><div class="stage"><canvas width="480" height="360" tabindex="0" role="img" aria-label="The scene. Arrow keys turn it, plus and minus go closer and farther away."></canvas></div>
+<figcaption class="actions"><span id="by" role="status"></span> <button type="button" id="compare" aria-pressed="false">Show the right picture</button></figcaption></figure>
+<div><h2 id="asked"></h2>
+<ol id="choices"></ol>
+<div class="actions"><button type="button" id="back">Back</button><button type="button" class="main" id="next">Next</button><span class="state" id="of"></span></div></div>
+</section>
 </main>` }));
 
 // ---- the lecture, and all figures, for a lecturer -----------------------------------------------
