@@ -218,6 +218,17 @@ $(BOOK_PACKAGES): $(BOOK_SOURCES)/package.json $(BOOK_SOURCES)/package-lock.json
 
 # HAND_IN=address: where a class hands in; the start page links to it.
 HAND_IN ?=
+# ADDRESS=address: where the site will be, for search engines and shared links.
+ADDRESS ?=
+BOOK_TOLD := $(WASM)/told
+$(BOOK_TOLD): FORCE
+	@mkdir -p $(@D); echo '$(HAND_IN) $(ADDRESS)' | cmp -s - $@ || echo '$(HAND_IN) $(ADDRESS)' > $@
+# What a shared link shows.
+$(BOOK)/share.png: $(B)/scenes/finale.nff | $(B)/solutions/$(ENGINE_CHAPTER)
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(B)/solutions/$(ENGINE_CHAPTER) --shaded --samples 2 --threads 2 -s 1200x630 -o $@ $< 2>/dev/null
+$(BOOK)/service_worker.js: $(BOOK)/share.png
 BOOK_STAMP := $(BOOK)-pages
 # FROM=handout: the pages are those of the handout.
 BOOK_ROOT := $(if $(FROM),$(WASM)/ray-casting,.)
@@ -236,13 +247,13 @@ $(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $$(QUESTIONS) 
 		SHAPE=16:9 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(WIDE_FIGURES)
 	$(Q)$(PYTHON) chapters/slides/lecture_page.py $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) $(QUESTIONS) > $@
 $(BOOK_STAMP): $(if $(FROM),,$(BOOK_LECTURE))
-$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book.mk $(if $(FROM),$(UNPACKED))
+$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) $(BOOK_TOLD) .make/toolkit/book.mk $(if $(FROM),$(UNPACKED))
 	$(call say,pages,$(BOOK))
 	$(Q)mkdir -p $(BOOK)
 	$(Q)$(LIST) > build/book-exercises.txt
 	$(Q)$(draw_lesson_steps)
 	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs $(BOOK_ROOT) $(BOOK) build/book-exercises.txt $(if $(FROM),none,$(B)/lessons) \
-		$(DRAWN_FIGURES) $(BOOK_LECTURE) $(BUILT)/animations '$(HAND_IN)'
+		$(DRAWN_FIGURES) $(BOOK_LECTURE) $(BUILT)/animations '$(HAND_IN)' '$(ADDRESS)'
 	@touch $@
 
 # What course and judge read: headers for what the compiler says, hints, blanks, layouts.
@@ -261,7 +272,7 @@ $(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_CASTING) $(BOOK
 		$(BOOK)/compiler/sizes.json
 	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
 
-book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any static host (HAND_IN=address, FROM=handout)
+book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any static host (HAND_IN=address, ADDRESS=address, FROM=handout)
 	@echo "The course is in $(BOOK): copy it to any static host."
 .PHONY: book
 

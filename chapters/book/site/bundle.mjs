@@ -11,7 +11,7 @@ import { build } from "esbuild";
 export function writeServiceWorker(site) {
     const files = readdirSync(site, { recursive: true, withFileTypes: true }).filter((each) => each.isFile())
         .map((each) => relative(site, join(each.parentPath ?? each.path, each.name)))
-        .filter((name) => name !== "service_worker.js" && name !== "tree/plan").sort(); // the plan is in one with other texts
+        .filter((name) => !["service_worker.js", "tree/plan", "share.png"].includes(name)).sort(); // the plan is in one with other texts; no page has share.png in it
     const sizes = Object.fromEntries(files.map((name) => [name, statSync(join(site, name)).size]));
     const names = Object.fromEntries(files.map((name) => [name, createHash("sha256").update(readFileSync(join(site, name))).digest("hex")]));
     // The small ones first. The whole compiler is kept when it is first needed, which is seldom.

@@ -17,9 +17,9 @@ const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, En
     ["V", "the film of the slide"], ["P", "paste a student's line: it is judged, and drawn"], ["T", "light or dark"], ["?", "these keys"]];
 
 /**
- * @param {{slides: string, films: string[], about: string, policy: string, isStatic: boolean}} given films: names of those that the site has; about: for a shared link
+ * @param {{slides: string, films: string[], head: string, policy: string, isStatic: boolean}} given films: names of those that the site has
  */
-export function lecturePage({ slides, films, about, policy, isStatic }) {
+export function lecturePage({ slides, films, head, policy, isStatic }) {
     const withFilms = slides.replace(/ data-film="([^"]*)"/g, (whole, name) => (films.includes(name) ? whole : ""));
     return `<!DOCTYPE html>
 <html lang="en" data-kind="lecture"${isStatic ? ' data-figures="static"' : ""}>
@@ -28,9 +28,7 @@ export function lecturePage({ slides, films, about, policy, isStatic }) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="${escape(policy)}">
 <meta name="color-scheme" content="light dark">
-<title>Lecture · Ray casting</title>
-<meta name="description" content="${escape(about)}">
-<link rel="icon" href="icon.svg" type="image/svg+xml">
+${head}
 <link rel="stylesheet" href="style.css">
 <link rel="stylesheet" href="mathematics.css">
 <link rel="stylesheet" href="lecture.css">
@@ -38,6 +36,7 @@ export function lecturePage({ slides, films, about, policy, isStatic }) {
 <script src="lecture.js" defer></script>
 </head>
 <body>
+<noscript><p class="note">JavaScript is off, and the slides need it. <a href="figures.html">All figures</a> are on one page.</p></noscript>
 <main id="stage">
 ${withFilms}</main>
 <canvas id="pen" hidden></canvas>

@@ -1,6 +1,6 @@
 // make_pages.mjs - writes the pages of the site: start, chapters, figures, contracts. Runs when the site is built.
 //
-// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS DRAWN LECTURE FILMS [HAND-IN-ADDRESS]
+// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS DRAWN LECTURE FILMS [HAND-IN-ADDRESS [ADDRESS]]
 // ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints,
 // LESSONS the folder with the lessons whose numbers are marked, DRAWN that of the figures: NAME/NAME[-4x3][-stepN][-dark].svg.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -9,7 +9,8 @@ import { dirname, join } from "node:path";
 import { lecturePage, typeset } from "./lecture.mjs";
 import { coloredC, escape, figure, lessonHtml } from "./lesson.mjs";
 
-const [root, site, exercisesFile, lessonsFolder, drawnFolder, lectureFile, filmsFolder, handIn = ""] = process.argv.slice(2);
+const [root, site, exercisesFile, lessonsFolder, drawnFolder, lectureFile, filmsFolder, handIn = "", givenAddress = ""] = process.argv.slice(2);
+const address = givenAddress && givenAddress.replace(/\/*$/, "/"); // of the site, if make was told it
 const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
 const used = new Set();
 const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
@@ -66,6 +67,16 @@ const ABOUT = "Write a ray caster in C, one function at a time: short lessons wi
 /** Without these a text would be laid out twice. */
 const fonts = (mathematics) => ["source-serif-400-normal", "source-serif-600-normal", ...(mathematics ? ["KaTeX_Main-Regular", "KaTeX_Math-Italic"] : [])];
 
+/** For browsers, search engines, and who is sent a link. */
+const head = (title, about, up = "") => `<title>${escape(title)}</title>
+<meta name="description" content="${about}">
+<meta property="og:title" content="${escape(title)}">
+<meta property="og:description" content="${about}">
+<meta property="og:image" content="${address || up}share.png">
+<meta name="twitter:card" content="summary_large_image">
+<link rel="icon" href="${up}icon.svg" type="image/svg+xml">
+<link rel="manifest" href="${up}course.webmanifest">`;
+
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
     const chapters = (asList) => stems.map((other) => `<li data-stem="${other}"><a href="${up}${other}.html"${other === stem ? ' aria-current="page"' : ""}` + (asList
         ? `><span class="number">${other.slice(0, 2)}</span> <span>${escape(shortTitle(other))}</span> <span class="done">${countOf(other)}</span></a></li>`
@@ -78,12 +89,7 @@ function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
 <meta name="viewport" content="width=device-width, initial-scale=1, interactive-widget=resizes-content">
 <meta http-equiv="Content-Security-Policy" content="${POLICY}">
 <meta name="color-scheme" content="light dark">
-<title>${escape(title)}</title>
-<meta name="description" content="${about}">
-<meta property="og:title" content="${escape(title)}">
-<meta property="og:description" content="${about}">
-<link rel="icon" href="${up}icon.svg" type="image/svg+xml">
-<link rel="manifest" href="${up}course.webmanifest">
+${head(title, about, up)}
 <link rel="stylesheet" href="${up}style.css">
 ${fonts(mathematics).map((font) => `<link rel="preload" href="${up}fonts/${font}.woff2" as="font" type="font/woff2" crossorigin>\n`).join("")}${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
 <script type="module" src="${up}page.js"></script>
@@ -106,7 +112,7 @@ ${main}
 function write(name, text) {
     const file = join(site, name);
     mkdirSync(dirname(file), { recursive: true });
-    writeFileSync(file, text);
+    writeFileSync(file, address ? text.replace("<title>", `<link rel="canonical" href="${address}${name.replace("index.html", "")}">\n$&`) : text);
 }
 
 write("course.webmanifest", JSON.stringify({ name: "Ray casting, step by step", short_name: "Ray casting", description: ABOUT, start_url: "index.html", scope: ".",
@@ -273,7 +279,7 @@ if (!isHandout) {
     mkdirSync(join(site, "films"), { recursive: true });
     for (const file of films.flatMap((name) => [`${name}/${name}.mp4`, `${name}/${name}-dark.mp4`]).filter((name) => existsSync(join(filmsFolder, name))))
         copyFileSync(join(filmsFolder, file), join(site, "films", file.split("/")[1]));
-    write("lecture.html", lecturePage({ slides, films, about: ABOUT, policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
+    write("lecture.html", lecturePage({ slides, films, head: head("Lecture · Ray casting", ABOUT), policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
 }
 
 // In the order of the lecture, and those that it does not show at the end of their chapter's (08's at the very end). A handout has no lecture.

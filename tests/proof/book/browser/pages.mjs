@@ -3,7 +3,7 @@
 //
 // Usage: BROWSER=chromium|firefox node pages.mjs SITE [FOLDER-FOR-SCREENSHOTS]
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { begin, FOR_A_TERMINAL, seriousFindings, waitFor } from "../site.mjs";
 
@@ -30,6 +30,8 @@ test("every page, light and dark, wide and narrow", async () => {
             assert.deepEqual(await seriousFindings(tab), [], `${name}, ${theme}, ${width} pixels`);
         }
         assert.match(await tab.$eval("meta[name=description]", (each) => each.content), /^(You w|W)rite .{20}/, `${name}: what a shared link shows`);
+        const picture = new URL(await tab.$eval("meta[property='og:image']", (each) => each.content), tab.url()).pathname.split("/").pop();
+        assert.deepEqual(readFileSync(`${folder}/${picture}`).readUInt32BE(16), 1200, `${name}: the width of its picture`);
         assert.deepEqual(tab.faults, [], name);
         await tab.close();
     }
