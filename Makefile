@@ -61,7 +61,8 @@ comma := ,
 B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
 # EXAMPLE=name: with the numbers of chapters/examples/NAME.txt, beside the build with the deck's.
 ANSWERS_BUILT := $(B)/$(A:/%=%)
-BUILT := $(B)$(EXAMPLE:%=/examples/%)/$(A:/%=%)
+# WORDS=german.txt: figures with words of your own (chapters/words.txt), beside those in English.
+BUILT := $(B)$(EXAMPLE:%=/examples/%)$(if $(WORDS),/words/$(basename $(notdir $(WORDS))))/$(A:/%=%)
 
 # All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
 # was built with sudo. 'find' stops at the first file that cannot be written, if it knows how: test then asks

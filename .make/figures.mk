@@ -8,6 +8,16 @@ DRAWN_FIGURES := $(BUILT)/figures
 LAYOUTS := $(wildcard chapters/*/figures/*.gp)
 FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
 
+ifneq ($(WORDS),)
+ifneq ($(filter-out slides figures animations,$(or $(MAKECMDGOALS),all)),)
+$(error WORDS=$(WORDS) goes with make figures, slides or animations)
+endif
+ifneq ($(shell $(PYTHON) chapters/gallery/check_words.py $(WORDS) && echo yes),yes)
+$(error WORDS=$(WORDS) cannot be used)
+endif
+SAY_WORDS := FIGURE_WORDS='$(WORDS)'
+endif
+
 # ---- figures of your own, from any folder: FIGURES=folder ----------------------------------------
 
 # The first line of FOLDER/NAME.gp names the numbers that it draws: '# data: FIGURE [OPTION]...' those of a
@@ -48,7 +58,7 @@ print_own = $(if $(filter %.c,$(DATA_OF_$(*F))),$< --layout $(call own_layout,$(
 	sed -n '1s/^$(hash) data: *//p' $(call own_layout,$(*F)) | NOT_YET=$(@D) xargs $< --layout $(call own_layout,$(*F)) --figure)
 $(OWN_SCRIPTS): $(DRAWN_FIGURES)/%.gp: $$(call own_program,$$(*F)) FORCE
 	$(Q)mkdir -p $(@D)
-	$(Q)NOT_YET=$(@D) $(print_own) > $@.new || \
+	$(Q)export $(SAY_WORDS) NOT_YET=$(@D); $(print_own) > $@.new || \
 		{ rm -f $@.new; echo '$(call own_layout,$(*F)):1: its data could not be computed' >&2; exit 1; }
 	$(Q)$(take_script)
 $(OWN_PROGRAMS): $(BUILT)/own-figures/%: $(FIGURES)/%.c $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a FORCE
@@ -63,7 +73,7 @@ script_of = $(foreach name,$(2),$(1)/$(name)/$(name).gp)
 SCRIPTS := $(call script_of,$(DRAWN_FIGURES),$(FIGURE_NAMES))
 layout_of = $(filter %/$(1).gp,$(LAYOUTS))
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
-figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
+figure_files = $(call layout_of,$(1)) $(WORDS) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
 # judge says is wrong.
@@ -100,17 +110,17 @@ remove_older = find $(BUILT)/figures/*/*.gp $(BUILT)/animations/*/*.gp $(BUILT)/
 $(SCRIPTS): $(DRAWN_FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F)) \
 		$(if $(RIGHT),$$(call right_script_of,$$(*F)) $$(RECORDS))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(if $(RIGHT),$(beside_right),$< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script))
+	$(Q)$(if $(RIGHT),$(beside_right),$(SAY_WORDS) $< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script))
 define beside_right
 names=$$({ $< --figure $(*F) --answers; } 2>/dev/null); note=$${names:+$$($(COURSE) note $(PLAN) $$names)}; \
-NOT_YET=$(@D) $< --figure $(*F) --beside $(call right_script_of,$(*F)) $${note:+--note "$$note"} > $@.new || \
+$(SAY_WORDS) NOT_YET=$(@D) $< --figure $(*F) --beside $(call right_script_of,$(*F)) $${note:+--note "$$note"} > $@.new || \
 	case $$? in 1[2-9]?) echo '  not yet   $(@D): crashed' ;; *) echo '  not yet   $(@D): its program has said why' ;; esac; \
 $(take_script)
 endef
 
 DRAW_FIGURES := $(PYTHON) chapters/gallery/draw_figures.py
 MAKE_PAGE := $(PYTHON) chapters/gallery/gallery.py $(BUILT) $(B)/scenes
-figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name; FIGURES=folder: your own)
+figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name; FIGURES=folder, WORDS=file: your own)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
 		$(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURES_WANTED)
 	@$(remove_older)

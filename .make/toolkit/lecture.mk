@@ -103,7 +103,7 @@ STORIES := $(filter-out turntable,$(ANIMATIONS_WANTED))
 MOVING_SCRIPTS := $(foreach name,$(STORIES),$(ANIMATIONS)/$(name)/$(name).gp)
 $(MOVING_SCRIPTS): $(PRINT_ANIMATION) FORCE
 	@mkdir -p $(@D)
-	@$(if $(filter solutions,$(ANSWERS)),,NOT_YET=$(@D)) $< $(basename $(@F)) $(SCENE) > $@.new
+	@$(SAY_WORDS) $(if $(filter solutions,$(ANSWERS)),,NOT_YET=$(@D)) $< $(basename $(@F)) $(SCENE) > $@.new
 	@$(take_script)
 DRAW_ANIMATIONS := $(PYTHON) chapters/animations/draw_animations.py
 

@@ -3,9 +3,9 @@
 # As in the figure nearest-hit, each sphere is turned around the ray into the paper.
 steps = |$moments| - 1
 rate = 12
-title = "The closest hit, sphere by sphere"
-description = sprintf("One ray asks %d spheres, one after the other, and keeps the smallest t > 0. %s", all_balls, all_hits == 0 ? \
-    "It hits none." : sprintf("At the end that is %s, on sphere %s.", nearest_text, nearest_name))
+title = own("The closest hit, sphere by sphere")
+description = sprintf(own("One ray asks %d spheres, one after the other, and keeps the smallest t > 0. %s"), all_balls, all_hits == 0 ? \
+    own("It hits none.") : sprintf(own("At the end that is %s, on sphere %s."), nearest_text, nearest_name))
 # A lecturer stops at each answer, and at the end.
 stops = ""
 do for [k=2:steps] { if (word($moments[k + 1], 5) eq "1" && word($moments[k], 5) eq "0") { stops = stops." ".k } }
@@ -28,11 +28,11 @@ fate = asked < 0 ? -1 : 0
 hit_t = 0
 stats $circles index 0 using (is_asked($1) && $4 < 1e8 ? (fate = int($6), hit_t = $9, 1) : 0) nooutput
 mathless(s) = math("t")." = ".two(s)
-first_line = asked < 0 ? (answered && best_ball >= 0 ? "the closest hit colors the pixel" : "of all answers the smallest ".math("t")." > 0") : \
-    "sphere ".ball_name(asked).": ".(!answered ? "where does the ray meet it?" : fate == 0 ? "the ray misses it" : \
-    fate == 1 ? math("t")." < 0, it is behind the eye" : "hit at ".mathless(hit_t))
-second_line = (asked < 0 && answered ? "closest hit: " : "closest so far: ").(best_ball < 0 ? "none" : \
-    mathless(best).", sphere ".ball_name(best_ball))
+first_line = asked < 0 ? (answered && best_ball >= 0 ? own("the closest hit colors the pixel") : own("of all answers the smallest")." ".math("t")." > 0") : \
+    own("sphere")." ".ball_name(asked).": ".(!answered ? own("where does the ray meet it?") : fate == 0 ? own("the ray misses it") : \
+    fate == 1 ? math("t")." < 0, ".own("it is behind the eye") : own("hit at")." ".mathless(hit_t))
+second_line = (asked < 0 && answered ? own("closest hit:") : own("closest so far:"))." ".(best_ball < 0 ? own("none") : \
+    mathless(best).", ".own("sphere")." ".ball_name(best_ball))
 diameter = "(2*size[1]*$4):(2*size[1]*$4)"
 
 plot $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):(pale($5)) with circles \
@@ -48,7 +48,7 @@ plot $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):(pal
     $along using (x(0)):(on_ray):(x(tip) - x(0)):(0) with vectors nohead lw 3 lc rgb blue title "ray so far", \
     $along using (x(0)):(on_ray):(x(1) - x(0)):(0) with @arrow lc rgb blue title "v", \
     $along using (x(0)):(on_ray) with @dot lc rgb blue title "eye", \
-    $along using (x(0)):(on_ray - 26):("eye") with labels tc rgb blue title "eye, label", \
+    $along using (x(0)):(on_ray - 26):(own("eye")) with labels tc rgb blue title "eye, label", \
     $along using (x(0.5)):(on_ray + 22):(math("v")) with labels tc rgb blue title "v, label", \
     $circles index 0 using (x($2)):(place_y($3,$4)):(ball_name($1)) with labels tc rgb ink title "names", \
     for [_=1:asked>=0&&answered&&fate>1] $along using (x(hit_t)):(on_ray) with points pt 6 ps 0.8 lw 2 lc rgb ink title "hit", \

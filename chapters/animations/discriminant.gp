@@ -3,12 +3,12 @@
 # As in the figure discriminant, also in its colors: below the section, above it f over the same places.
 steps = moments
 rate = 16
-array names[5] = ["miss", "tangent", "two hits", "inside", "behind"]
+array names[5] = [own("miss"), own("tangent"), own("two hits"), own("inside"), own("behind")]
 stops = ""
 do for [k=1:5] { stops = stops." ".word($stays[k + 1], 1) }
-title = "The discriminant, as one ray moves"
-description = "One ray moves across a sphere, below its parabola f(t): it misses, it touches, it has two hits, it starts inside, \
-and the sphere is behind it. The sign of b² − 4ac says how many roots there are, and their signs say which of them is the hit."
+title = own("The discriminant, as one ray moves")
+description = own("One ray moves across a sphere, below its parabola f(t): it misses, it touches, it has two hits, it starts inside, \
+and the sphere is behind it. The sign of b² − 4ac says how many roots there are, and their signs say which of them is the hit.")
 now = int(most(1, least(step, steps)))
 of(what) = value(sprintf("panel%d_%s", now, what))
 D = of("D")
@@ -58,11 +58,11 @@ plot $circle using (U(1,$1)):(V(1,$2)) with filledcurves closed fc rgb surface f
     $once using (words_x):(height * 0.86):(large(names[case])) with labels left tc rgb ink title "case", \
     $once using (words_x):(height * 0.74):(large(math("b^2 − 4 a c").sign)) with labels left tc rgb ink title "sign", \
     $once using (words_x):(height * 0.64):(large("= ".two(D))) with labels left tc rgb ink title "discriminant", \
-    $once using (words_x):(height * 0.50):(roots == 0 ? "no root" : case == 2 ? "one root" : "two roots") \
+    $once using (words_x):(height * 0.50):(roots == 0 ? own("no root") : case == 2 ? own("one root") : own("two roots")) \
         with labels left tc rgb ink title "number of roots", \
     $once using (words_x):(height * 0.40):(roots == 0 ? "" : t_words(case == 2 ? "t_0 = t_1" : "t_0", of("t0"))) \
         with labels left tc rgb (case > 3 ? grey : blue) title "first root", \
     $once using (words_x):(height * 0.30):(roots == 0 || case == 2 ? "" : t_words("t_1", of("t1"))) \
         with labels left tc rgb (case == 3 ? ink : case == 4 ? blue : grey) title "second root", \
-    $once using (words_x):(height * 0.16):(case == 1 || case == 5 ? "no hit" : "hit: ".math("t")." = ".two(of("hit"))) \
+    $once using (words_x):(height * 0.16):(case == 1 || case == 5 ? own("no hit") : own("hit").": ".math("t")." = ".two(of("hit"))) \
         with labels left tc rgb (case == 1 || case == 5 ? grey : blue) title "verdict"

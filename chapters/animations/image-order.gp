@@ -3,9 +3,9 @@ steps = sets
 rate = 8
 stops = ""
 do for [k=1:sets] { if (k % columns == 0) { stops = stops." ".k } }
-title = "Image order, pixel by pixel"
-description = sprintf("For each of %s pixels a ray goes from the eye through its center, up to the closest hit, and the pixel \
-gets the color of that sphere, or of the background.", grid_text)
+title = own("Image order, pixel by pixel")
+description = sprintf(own("For each of %s pixels a ray goes from the eye through its center, up to the closest hit, and the pixel \
+gets the color of that sphere, or of the background."), grid_text)
 now = int(most(1, least(step, steps)))
 at = $pixel_sets[now + 1]
 column = whole(at, 1)
@@ -36,13 +36,13 @@ plot @behind \
     $rays @this_ray using @bold with @ray lc rgb blue title "ray", \
     @names \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
+    $eye using @point:(own("eye")) with labels tc rgb blue offset 0,-1 title "eye, label", \
     $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
         title "picture", \
     $sets @so_far using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder title "picture, pixels", \
     $square using (left+side*columns*$1):(upper-side*rows*$2) with @lines lc rgb ink title "picture, outline", \
     $square using (left+side*(column+$1)):(upper-side*(row+$2)) with @halo title "picture, this pixel, halo", \
     $square using (left+side*(column+$1)):(upper-side*(row+$2)) with @thick lc rgb ink title "picture, this pixel", \
-    $once using (picture_x):(upper + 26):("the picture") with labels tc rgb ink title "picture, name", \
-    $once using (width / 2):(44):(sprintf("pixel (%d, %d): %s", column, row, ball_hit < 0 ? "the ray hits nothing" : \
-        "the ray hits sphere ".ball_name(ball_hit))) with labels tc rgb ink title "words"
+    $once using (picture_x):(upper + 26):(own("the picture")) with labels tc rgb ink title "picture, name", \
+    $once using (width / 2):(44):(sprintf(own("pixel (%d, %d): %s"), column, row, ball_hit < 0 ? own("the ray hits nothing") : \
+        own("the ray hits sphere")." ".ball_name(ball_hit))) with labels tc rgb ink title "words"

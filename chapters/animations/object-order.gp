@@ -1,9 +1,9 @@
 # object-order.gp - the picture, sphere by sphere: its lines to the eye, its outline, its pixels (slide 'Object order').
 steps = |$moments| - 1
 rate = 8
-title = "Object order, sphere by sphere"
-description = sprintf("For each of %d spheres, lines go from its outline to the eye. The places where they cross the image plane \
-are its outline in the picture. Of the pixels inside, it colors those that show no nearer sphere.", all_balls)
+title = own("Object order, sphere by sphere")
+description = sprintf(own("For each of %d spheres, lines go from its outline to the eye. The places where they cross the image plane \
+are its outline in the picture. Of the pixels inside, it colors those that show no nearer sphere."), all_balls)
 # A lecturer stops where a sphere has its outline, and where it has its pixels.
 stops = ""
 do for [k=2:steps] {
@@ -20,12 +20,12 @@ outlined = whole(at, 3)
 done = whole(at, 4)
 share = ball_now < 0 ? "" : $shares[ball_now + 2]
 set_by = done == 0 || ball_now < 0 ? 0 : (sum [k=1:done] (word($pixel_sets[k + 1], 3) eq sprintf("%d", ball_now)))
-said = ball_now < 0 ? (done ? "all pixels get the color of the background" : "for each sphere: which pixels does it color?") : \
-    !outlined ? sprintf("sphere %s: lines to the eye", ball_name(ball_now)) : \
-    set_by == 0 && whole(share, 2) > 0 ? sprintf("sphere %s: its outline on the image plane", ball_name(ball_now)) : \
-    set_by < whole(share, 2) ? sprintf("sphere %s: %d pixel%s", ball_name(ball_now), set_by, set_by == 1 ? "" : "s") : \
-    whole(share, 3) > set_by ? sprintf("sphere %s: %d of %d pixels; the others show a nearer sphere", ball_name(ball_now), set_by, whole(share, 3)) : \
-    sprintf("sphere %s: %d pixel%s", ball_name(ball_now), set_by, set_by == 1 ? "" : "s")
+said = ball_now < 0 ? (done ? own("all pixels get the color of the background") : own("for each sphere: which pixels does it color?")) : \
+    !outlined ? sprintf(own("sphere %s: lines to the eye"), ball_name(ball_now)) : \
+    set_by == 0 && whole(share, 2) > 0 ? sprintf(own("sphere %s: its outline on the image plane"), ball_name(ball_now)) : \
+    set_by < whole(share, 2) ? sprintf(set_by == 1 ? own("sphere %s: %d pixel") : own("sphere %s: %d pixels"), ball_name(ball_now), set_by) : \
+    whole(share, 3) > set_by ? sprintf(own("sphere %s: %d of %d pixels; the others show a nearer sphere"), ball_name(ball_now), set_by, whole(share, 3)) : \
+    sprintf(set_by == 1 ? own("sphere %s: %d pixel") : own("sphere %s: %d pixels"), ball_name(ball_now), set_by)
 room = scene_room
 @see
 @spheres
@@ -53,10 +53,10 @@ plot @behind \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
+    $eye using @point:(own("eye")) with labels tc rgb blue offset 0,-1 title "eye, label", \
     $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
         title "picture", \
     for [_=1:done>0] $sets @so_far using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder title "picture, pixels", \
     $square using (left+side*columns*$1):(upper-side*rows*$2) with @lines lc rgb ink title "picture, outline", \
-    $once using (picture_x):(upper + 26):("the picture") with labels tc rgb ink title "picture, name", \
+    $once using (picture_x):(upper + 26):(own("the picture")) with labels tc rgb ink title "picture, name", \
     $once using (width / 2):(44):(said) with labels tc rgb ink title "words"

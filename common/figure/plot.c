@@ -270,22 +270,33 @@ bool plot_block_end(Plot *plot)
 
 // ---- by name ------------------------------------------------------------------------------------
 
+// NAME = a number or "words": those that a lecturer says instead.
+static void define_one(Plot *plot, const char *before, const char *name, const char *value,
+                       size_t size)
+{
+    char *said, key[100];
+    size_t said_size;
+    FILE *out = open_memstream(&said, &said_size);
+    const char *quote = value[0] == '"' ? "\"" : "";
+    fputs(quote, out);
+    own_words_print(out, value + strlen(quote), size - 2 * strlen(quote));
+    fputs(quote, out);
+    fclose(out);
+    snprintf(key, sizeof key, "%s%s", before, name);
+    fprintf(plot->script, "%s = %s\n", key, said);
+    plot_view_words(plot, key, said, said_size);
+    free(said);
+}
+
 // Where something else is right, that goes by the name, and yours by your_NAME.
 static void define_both(Plot *plot, const char *name, const char *value, bool is_wrong)
 {
     const char *right;
     size_t size = plot_right_value(plot, name, &right);
-    if (size > 0)
-        fprintf(plot->script, "%s = %.*s\n", name, (int)size, right);
-    if (size == 0 || is_wrong)
-        fprintf(plot->script, "%s%s = %s\n", size > 0 ? "your_" : "", name, value);
+    define_one(plot, "", name, size > 0 ? right : value, size > 0 ? size : strlen(value));
+    if (size > 0 && is_wrong)
+        define_one(plot, "your_", name, value, strlen(value));
     plot->wrong = plot->wrong || (size > 0 && is_wrong);
-    plot_view_words(plot, name, size > 0 ? right : value, size > 0 ? size : strlen(value));
-    if (size > 0 && is_wrong) {
-        char yours[100];
-        snprintf(yours, sizeof yours, "your_%s", name);
-        plot_view_words(plot, yours, value, strlen(value));
-    }
 }
 
 // Whether it differs from what is right.

@@ -105,6 +105,11 @@ italic(s) = strlen(s) == 0 ? "" : s[1:1] eq "_" ? "_{".s[2:2]."}".italic(s[3:*])
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
 
+# Words are said by own("eye"), so that a lecturer can say others: those of own_words.c, if there are any.
+if (!exists("own_count")) own_count = 0
+own_at(s) = sum [_i=1:own_count] (own_english[_i] eq s ? _i : 0)
+own(s) = own_at(s) > 0 ? own_text[own_at(s)] : s
+
 # ---- steps, and what is yours ---------------------------------------------------------------------
 
 # A layout says how many steps it has: steps = 5.
@@ -236,13 +241,13 @@ labels = 'for [i=1:label_count] $once using (leader_u[i]):(step < label_step[i] 
 
 # What is right, what is yours, by how much it is off, and why, for readers who do not see it.
 why = ""
-beside_words(_) = sprintf("Expected is %s; yours%s is %s%s.", answer_text, drawn eq "" ? "" : ", drawn ".drawn.",", yours_text, \
+beside_words(_) = sprintf(own("Expected is %s; yours%s is %s%s."), answer_text, drawn eq "" ? "" : ", ".own("drawn")." ".drawn.",", yours_text, \
     off_text eq "" ? "" : ", ".off_text).(why eq "" ? "" : " ".why)
 
 # ---- the end --------------------------------------------------------------------------------------
 
 # A layout says title and description before it plots; a figure in words is just these.
-differs = " Some of it differs from what is right: that is drawn dashed, beside what is right."
+differs = " ".own("Some of it differs from what is right: that is drawn dashed, beside what is right.")
 say = 'print title; print ""; print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : "")'
 finish = 'unset output; if (format eq "txt") { set print output.".txt"; @say; unset print }'
 
@@ -252,4 +257,4 @@ legend = 'if (strip > 0) { set arrow 99 from 0, 0 to width, 0 nohead lc rgb fain
         strip_label = 100 * (i + 1) + k; \
         set label strip_label line_of(strip_text[i], strip_room, k) at 16, -down(i - 1) - line_height * (k - 0.5) left noenhanced \
             tc rgb value(strip_color[i]) front } }; \
-    if (wrong) { set label 99 "solid: expected; dashed: yours" at 16, -down(strip_count) - line_height / 2 left tc rgb grey front }'
+    if (wrong) { set label 99 own("solid: expected; dashed: yours") at 16, -down(strip_count) - line_height / 2 left tc rgb grey front }'

@@ -39,6 +39,13 @@ char *gnuplot_string(const char *text);
 // To more digits than any canvas shows. If x is not finite: NaN, which gnuplot leaves out.
 Text gnuplot_number(double x);
 
+// ---- words of a lecturer's own (own_words.c) ----------------------------------------------------
+
+// What is said instead of an English text: printed, or for freeing. And for layouts (plot.gp: own).
+void own_words_print(FILE *out, const char *text, size_t length);
+char *own_words(const char *text);
+void own_words_define(FILE *out);
+
 // ---- what is right (plot.c) -------------------------------------------------------------------
 
 // The right value of NAME, and the right rows of a block, here without '$' before its name. Returns

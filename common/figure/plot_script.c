@@ -75,10 +75,11 @@ static void keep_data(char *script)
 
 void plot_below(Plot *plot, const char *color, const char *words)
 {
-    char *text = gnuplot_string(words);
+    char *own = own_words(words), *text = gnuplot_string(own);
     int i = ++plot->paragraphs;
     fprintf(plot->strip, "strip_text[%d] = %s\nstrip_color[%d] = \"%s\"\n", i, text, i, color);
     free(text);
+    free(own);
 }
 
 // The top of the script must say whether something is wrong, but that is known only after the data.
@@ -116,6 +117,7 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     fprintf(out, "strip_count = %d\narray strip_text[%d]\narray strip_color[%d]\n%s",
             plot->paragraphs, plot->paragraphs + 1, plot->paragraphs + 1, strip);
     free(strip);
+    own_words_define(out);
     fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included, data,
             layout);
     free(included);

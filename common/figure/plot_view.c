@@ -228,7 +228,7 @@ void plot_name(Plot *plot, Label label)
 {
     Wanted *wanted = add(&plot->view->wanted, sizeof(Wanted));
     wanted->label = label;
-    wanted->text = strdup(label.text);
+    wanted->text = own_words(label.text);
     wanted->panel = plot->view->panel;
     snprintf(wanted->block, sizeof wanted->block, "%s", label.block != NULL ? label.block : "");
 }
@@ -510,7 +510,7 @@ static bool says_yours(const PlotView *view, const char *name, size_t *size)
     return words_said(view, "your_", name, *size) != NULL;
 }
 
-#define YOURS ", yours "
+#define YOURS "yours"
 
 // One line of a label as it is read: without $ and the marks of indices, and with words for names.
 static void plain_line(const PlotView *view, const char *line, size_t length, FILE *out)
@@ -521,7 +521,9 @@ static void plain_line(const PlotView *view, const char *line, size_t length, FI
             bool beside = says_yours(view, c + 1, &name);
             plain_words(words_of(view, c + 1, name), out);
             if (beside) {
-                fputs(YOURS, out);
+                fputs(", ", out);
+                own_words_print(out, YOURS, strlen(YOURS));
+                putc(' ', out);
                 plain_words(words_said(view, "your_", c + 1, name), out);
             }
             c += size + 1;
@@ -545,7 +547,10 @@ static double line_width(const PlotView *view, const char *line, size_t length)
 
 double plot_width(const Plot *plot, const char *text)
 {
-    return line_width(plot->view, text, strlen(text));
+    char *own = own_words(text);
+    double width = line_width(plot->view, own, strlen(own));
+    free(own);
+    return width;
 }
 
 #define LINE_HEIGHT (1.35 * TEXT_SIZE)
@@ -833,7 +838,7 @@ static void write_text(const PlotView *view, FILE *out, const char *text, size_t
         bool beside = *text == '{' && says_yours(view, text + 1, &name);
         fprintf(out, *text == '$' ? ".math(\"%.*s\")" : ".%.*s_text", (int)name, text + 1);
         if (beside)
-            fprintf(out, ".\"" YOURS "\".your_%.*s_text", (int)name, text + 1);
+            fprintf(out, ".\", \".own(\"" YOURS "\").\" \".your_%.*s_text", (int)name, text + 1);
         text += size + 2;
     }
     putc('\n', out);

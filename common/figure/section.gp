@@ -8,3 +8,4 @@ differs(name) = exists("your_".name)
 color(t) = abs(t - hit) <= 1e-6 * abs(hit) ? blue : t > 0 ? ink : grey
 cross = sprintf("points pt 2 ps %g lw 2", 0.55)
 square = sprintf("points pt 4 ps %g lw 2", 0.8)
+squares_are_yours = own("solid: expected")."\n".own("dashed, squares: yours")

@@ -135,16 +135,10 @@ spheres = 'set samples places; count = 0; behind = ""; before = ""; names = ""; 
 patches = '$patches index 0 using @point:(pale($4)) with filledcurves closed fc rgb variable fs solid noborder title "patches", \
     $patches index 0 using @point with @hair lc rgb grey title "patches, outline", \
     $patch_names index 0 using @point:(ball_name($4)) with labels tc rgb ink title "patches, names",'
-in_part(_) = patched ? "Of a sphere that is not drawn as a whole there is what is round the hit. " : ""
+in_part(_) = patched ? own("Of a sphere that is not drawn as a whole there is what is round the hit.")." " : ""
 
 # A ray's bold part, if it is visible.
 bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"
-# The parts left out of the picture, or drawn elsewhere. A function, because not all layouts have these numbers.
-drawn(_) = (coarse || balls < all_balls || plane_t < 1 ? "Drawn: " : " ").(coarse ? sprintf("%s of %s pixels", \
-    grid_text, size_text) : "").(coarse && balls < all_balls ? ", " : "").(balls < all_balls ? \
-    sprintf("%d of %d spheres", balls, all_balls) : "").(plane_t == 1 ? "" : \
-    (coarse || balls < all_balls ? ", " : "")."the image plane at t = ".plane_t_text)
-
 # The picture on the image plane, seen from the front: at the upper left of the canvas. After '@seen_front', '@front' are places
 # of the plane in it.
 front_size = 150.0
@@ -157,4 +151,4 @@ front_pixels = '$pixels index 0 using @front:4 with filledcurves closed fc rgb v
 front_pixel = '$pixel index 0 using @front with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "picture, pixel",'
 front_lines = '$grid index 0 using @front with @hair lc rgb grey title "picture, grid", \
     $plane index 0 using @front with @lines lc rgb ink title "picture, frame", \
-    $once using (24):(height - 96):("the picture") with labels left tc rgb grey title "picture, name"'
+    $once using (24):(height - 96):(own("the picture")) with labels left tc rgb grey title "picture, name"'

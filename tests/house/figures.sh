@@ -18,6 +18,7 @@ unset ANSWERS
     [ "${1:-}" = random ] || cat <<TESTS
 tests/house/figures/wrong_answers.py $scratch/python
 tests/house/figures/animations.py
+tests/house/figures/words.py
 TESTS
     printf '%s\n' tests/house/figures/mistaken.py tests/[0-9]*/figures.py
 } | nl >"$scratch/tests"

@@ -1,10 +1,10 @@
 # camera-frame.gp - the camera <p, r, u, f, d, w, h> (slide 'Camera').
-title = "A camera: a frame, a distance, a width, a height"
-description = sprintf("The eye p is at %s. Three arrows at right angles start there: right r is %s, up u is %s, \
+title = own("A camera: a frame, a distance, a width, a height")
+description = sprintf(own("The eye p is at %s. Three arrows at right angles start there: right r is %s, up u is %s, \
 forward f is %s. The image plane is straight ahead, at the distance d = %s. It is a grid of 8 by 8 pixels, w = %s \
-wide and h = %s high. Lines go from the eye to its corners. The arrows x, y, z show the world's axes%s.", \
+wide and h = %s high. Lines go from the eye to its corners. The arrows x, y, z show the world's axes%s."), \
     eye_text, right_text, up_text, forward_text, d_text, w_text, h_text, \
-    origin_is_far ? ", here below the camera, because their origin is too far away" : "")
+    origin_is_far ? own(", here below the camera, because their origin is too far away") : "")
 steps = 4
 
 # How far dimensions are from the edges.

@@ -1,9 +1,9 @@
 # corner-vectors.gp - the two upper corners, each a sum of three steps (slide 'Finding vectors').
-title = "From the eye to the upper corners"
-description = sprintf("The vector from the eye p to the upper left corner of the image plane is \
+title = own("From the eye to the upper corners")
+description = sprintf(own("The vector from the eye p to the upper left corner of the image plane is \
 d f − (w/2) r + (h/2) u = %s. The vector to the upper right corner is d f + (w/2) r + (h/2) u = %s. Each is the sum \
 of three arrows: d f forward to the middle, half the width sideways to an edge, half the height up. \
-Here d is %s, w is %s, h is %s.", \
+Here d is %s, w is %s, h is %s."), \
     upper_left_text, upper_right_text, d_text, w_text, h_text)
 steps = 5
 

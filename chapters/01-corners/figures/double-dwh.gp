@@ -1,9 +1,9 @@
 # double-dwh.gp - 'Would it matter if d, w, h were all doubled?' (slide 'Camera'): no, the same rays.
-title = "d, w and h all doubled: the same rays"
-description = sprintf("Four rays go from the eye p through the corners of the image plane with d = %s, w = %s, h = %s. \
+title = own("d, w and h all doubled: the same rays")
+description = sprintf(own("Four rays go from the eye p through the corners of the image plane with d = %s, w = %s, h = %s. \
 If all three are doubled, 2 d = %s, 2 w = %s, 2 h = %s, the corners of the plane are on the same rays. If all three are \
 divided by d, so that d/d = %s, w/d = %s, h/d = %s, they are also on the same rays. A fifth ray goes through the same \
-place on all three planes: s = %s of the way across, t = %s of the way up.".(to_scale ? "" : " The plane at d/d is not drawn to scale."), d_text, w_text, h_text, twice_d_text, twice_w_text, twice_h_text, \
+place on all three planes: s = %s of the way across, t = %s of the way up.").(to_scale ? "" : " ".own("The plane at d/d is not drawn to scale.")), d_text, w_text, h_text, twice_d_text, twice_w_text, twice_h_text, \
     unit_d_text, unit_w_text, unit_h_text, s_text, t_text)
 steps = 4
 

@@ -1,9 +1,9 @@
 # point-30-10.gp - a point on the image plane, named by two fractions (slide 'Finding vectors').
-title = sprintf("%s %% across, %s %% up", percent_across_text, percent_up_text)
-description = sprintf("The image plane has lines at every tenth of its width and height. A point is %s %% of the \
+title = sprintf(own("%s %% across, %s %% up"), percent_across_text, percent_up_text)
+description = sprintf(own("The image plane has lines at every tenth of its width and height. A point is %s %% of the \
 way across from the left edge, s = %s, and %s %% of the way up from the bottom edge, t = %s. Three arrows lead to it \
 from the eye p: d f forward to the middle, (s − ½) w r sideways, (t − ½) h u up or down. Their sum \
-%s = %s is the vector from the eye to the point. Here d is %s, w is %s, h is %s.", \
+%s = %s is the vector from the eye to the point. Here d is %s, w is %s, h is %s."), \
     percent_across_text, s_text, percent_up_text, t_text, "d f + (s − ½) w r + (t − ½) h u", vector_text, d_text, w_text, h_text)
 steps = 3
 

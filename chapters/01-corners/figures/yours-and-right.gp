@@ -1,8 +1,8 @@
 # yours-and-right.gp - a vector that ends where it should, and one that does not, dashed beside it.
 #
 # The judge also uses this layout to draw wrong answers of chapters 01 and 04.
-title = asked.": yours beside the right one"
-description = sprintf("The image plane, and two vectors to it from %s. ", eye_text).beside_words(0)
+title = asked.own(": yours beside the right one")
+description = sprintf(own("The image plane, and two vectors to it from %s.")." ", eye_text).beside_words(0)
 steps = 3
 # A wrong answer of the user takes the place of the example.
 example = "for [_=wrong:0]"

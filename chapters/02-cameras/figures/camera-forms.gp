@@ -1,12 +1,12 @@
 # camera-forms.gp - four ways to give a camera (slide 'Other camera representations'), and the camera
 # that is found from each: its plane, and its frame r, u, f at the middle.
-title = "Four other ways to give a camera"
-description = sprintf("Four panels show one camera with the eye at %s, given in four ways. Look-at: the look-at point %s, \
+title = own("Four other ways to give a camera")
+description = sprintf(own("Four panels show one camera with the eye at %s, given in four ways. Look-at: the look-at point %s, \
 the up vector %s, the width %s and the aspect ratio %s. Four points: the corners of the image plane. \
 Corner and vectors: the lower left corner %s and two vectors, %s across and %s up. \
 Four vectors: those from the eye to the corners. \
 Each gives an image plane, and a frame r, u, f at its middle. \
-From the look-at: %s. From four points: %s. From corner and vectors: %s. From four vectors: %s.", \
+From the look-at: %s. From four points: %s. From corner and vectors: %s. From four vectors: %s."), \
     eye_text, at_text, look_up_text, w_text, aspect_text, lower_left_text, across_text, upward_text, \
     look_at_found_text, points_found_text, corner_found_text, vectors_found_text)
 steps = 5

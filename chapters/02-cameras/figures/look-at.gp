@@ -1,9 +1,9 @@
 # look-at.gp - how a look-at becomes a frame: f, the up that was given, r at right angles to both, and u, which leans back;
 # and the right triangle of half the angle.
-title = "From a look-at to a frame"
-description = sprintf("f goes from the eye %s to the look-at point. The up that is given, %s, need not be at right angles to it. r = %s is \
+title = own("From a look-at to a frame")
+description = sprintf(own("f goes from the eye %s to the look-at point. The up that is given, %s, need not be at right angles to it. r = %s is \
 at right angles to both, and u = %s is at right angles to r and f, in the plane of f and up. Beside it, from above: the eye and the image \
-plane at the distance %s. Half the width, %s, is opposite to half the angle, %s degrees.", \
+plane at the distance %s. Half the width, %s, is opposite to half the angle, %s degrees."), \
     eye_text, lean_text, r_text, u_text, distance_text, half_text, half_degrees_text)
 steps = 5
 

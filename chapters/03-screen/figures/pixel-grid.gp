@@ -1,12 +1,12 @@
 # pixel-grid.gp - a pixel is a square, and its center stands for it (slide 'Normalized screen
 # coordinates'). Of a large screen, only the part around the pixel is shown.
-title = "A pixel is a square, and its center stands for it"
+title = own("A pixel is a square, and its center stands for it")
 s_is = sprintf("(%s + ½)/%s", pixel_column_text, screen_W_text)
 t_is = sprintf("1 − (%s + ½)/%s", pixel_row_text, screen_H_text)
-description = sprintf("%s %s by %s pixels. Columns count from the left, rows from the top. The pixel in column %s, \
+description = sprintf(own("%s %s by %s pixels. Columns count from the left, rows from the top. The pixel in column %s, \
 row %s is a square, and its center, the point %s, stands for it. Normalized, the center is s = %s = %s and \
-t = %s = %s. s goes from 0 at the left edge to 1 at the right edge, t from 0 at the bottom to 1 at the top.", \
-    whole ? "A screen of" : "A part of a screen of", screen_W_text, screen_H_text, pixel_column_text, pixel_row_text, \
+t = %s = %s. s goes from 0 at the left edge to 1 at the right edge, t from 0 at the bottom to 1 at the top."), \
+    whole ? own("A screen of") : own("A part of a screen of"), screen_W_text, screen_H_text, pixel_column_text, pixel_row_text, \
     center_text, s_is, place_s_text, t_is, place_t_text)
 steps = 5
 
@@ -29,10 +29,10 @@ corners = "(U(1,$1+pixel_column)):(V(1,$2-pixel_row-1))"
 # The text is on the right; in the narrow shape, it is below, in two columns.
 words_x(column) = narrow ? (0.05 + 0.5 * column) * width : 0.645 * width
 words_y(row, row_below) = narrow ? 118 - 34 * row_below : 420 - 36 * row
-set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text, screen_H_text) \
+set label 1 sprintf(own("%s%s × %s pixels"), whole ? "" : own("part of")." ", screen_W_text, screen_H_text) \
     at words_x(0),words_y(0, 0) tc rgb grey
-if (step >= 2) { set label 2 "pixel ".pixel_text at words_x(0),words_y(2, 1) tc rgb blue }
-if (step >= 3) { set label 3 "center ".center_text at words_x(0),words_y(3, 2) tc rgb blue }
+if (step >= 2) { set label 2 own("pixel")." ".pixel_text at words_x(0),words_y(2, 1) tc rgb blue }
+if (step >= 3) { set label 3 own("center")." ".center_text at words_x(0),words_y(3, 2) tc rgb blue }
 if (step >= 4) {
     set label 4 math("s")." = ".s_is at words_x(1),words_y(5, 0) tc rgb orange
     set label 5 "= ".place_s_text at words_x(1)+20,words_y(6, 1) tc rgb orange
@@ -41,17 +41,17 @@ if (step >= 5) {
     set label 6 math("t")." = ".t_is at words_x(1),words_y(8, 2) tc rgb green
     set label 7 "= ".place_t_text at words_x(1)+20,words_y(9, 3) tc rgb green
 }
-your_center = your("center_text") eq "" ? "" : sprintf("center %s, ", your("center_text"))
-if (wrong) { set label 8 "yours: ".(narrow ? "" : your_center.math("(s, t)")." = ").your("place_text") at (narrow ? words_x(0) : 40),16 tc rgb ink }
+your_center = your("center_text") eq "" ? "" : sprintf("%s %s, ", own("center"), your("center_text"))
+if (wrong) { set label 8 own("yours").": ".(narrow ? "" : your_center.math("(s, t)")." = ").your("place_text") at (narrow ? words_x(0) : 40),16 tc rgb ink }
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step2 $square using @corners with filledcurves closed fc rgb blue fs transparent solid 0.35 noborder title "pixel", \
     $grid using (U(1,$1)):(V(1,-$2)) with @hair lc rgb faint title "grid", \
     $edges using (U(1,$1)):(V(1,-$2)) with @lines lc rgb ink title "edges", \
     $columns using (U(1,$1+0.5)):(top+18):(column_number($1)) with labels tc rgb ink title "columns", \
-    $once using ((left+right_edge)/2):(top+48):("column") with labels tc rgb grey title "column", \
+    $once using ((left+right_edge)/2):(top+48):(own("column")) with labels tc rgb grey title "column", \
     $rows using (left-10):(V(1,-$1-0.5)):(row_number($1)) with labels right tc rgb ink title "rows", \
-    $once using (left-10):(top+18):("row") with labels right tc rgb grey title "row", \
+    $once using (left-10):(top+18):(own("row")) with labels right tc rgb grey title "row", \
     @step2 $square using @corners with @thick lc rgb blue title "pixel, outline", \
     @step3 $centers index 0 using (U(1,$1)):(V(1,-$2)) with points pt 7 ps 0.2 lc rgb grey title "centers", \
     @step3 @who $sample index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb blue title "center", \

@@ -1,11 +1,11 @@
 # screen-to-unit.gp - a point on the screen, and the same point in the unit square (slide
 # 'Normalized screen coordinates').
-title = "A point on the screen, normalized"
+title = own("A point on the screen, normalized")
 s_is = sprintf("%s/%s", point_x_text, screen_W_text)
 t_is = "1 − ".sprintf(point_y < 0 ? "(%s)/%s" : "%s/%s", point_y_text, screen_H_text)
-description = sprintf("On the left is a screen of %s by %s pixels. Its origin is at the upper left; x counts to the \
+description = sprintf(own("On the left is a screen of %s by %s pixels. Its origin is at the upper left; x counts to the \
 right, y counts down. It shows the point %s. On the right is the unit square. Its origin is at the lower left; \
-s counts to the right, t counts up. There, the same point is at s = %s, t = %s: %s.", \
+s counts to the right, t counts up. There, the same point is at s = %s, t = %s: %s."), \
     screen_W_text, screen_H_text, point_text, s_is, t_is, place_text)
 steps = 5
 

@@ -1,9 +1,9 @@
 # pixel-to-ray.gp - the chain from a pixel to its ray (slide 'Mapping from Pixel to Camera Ray').
-title = "From a pixel to its ray"
-description = sprintf("The pixel in column %s, row %s of a screen of %s by %s pixels is a square. Its center is the \
+title = own("From a pixel to its ray")
+description = sprintf(own("The pixel in column %s, row %s of a screen of %s by %s pixels is a square. Its center is the \
 point %s on the screen. In the unit square, with s = x/W and t = 1 − y/H, the center is at (s, t) = %s. The vector from \
 the eye to that place on the image plane is v = d f + (s − ½) w r + (t − ½) h u = %s. The ray starts at the eye, p = %s, \
-and its points are p + t v.", \
+and its points are p + t v."), \
     pixel_column_text, pixel_row_text, screen_W_text, screen_H_text, center_text, place_text, vector_text, origin_text)
 steps = 5
 

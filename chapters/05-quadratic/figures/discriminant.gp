@@ -1,15 +1,15 @@
 # discriminant.gp - the sign of b² − 4ac and the signs of the roots, for five rays and one sphere.
-array names[5] = ["miss", "tangent", "two hits", "inside", "behind"]
+array names[5] = [own("miss"), own("tangent"), own("two hits"), own("inside"), own("behind")]
 of(i, what) = value(sprintf("panel%d_%s", i, what))
-roots(i) = of(i, "roots") == 0 ? "no root" : of(i, "t0") == of(i, "t1") ? sprintf("double root %s", of(i, "t0_text")) : \
+roots(i) = of(i, "roots") == 0 ? own("no root") : of(i, "t0") == of(i, "t1") ? sprintf(own("double root %s"), of(i, "t0_text")) : \
     sprintf("%s, %s", of(i, "t0_text"), of(i, "t1_text"))
-used(i) = of(i, "hit") > 0 ? "use t = ".of(i, "hit_text") : "no hit"
-in_words(i) = sprintf("%s: b² − 4ac = %s, roots: %s; %s. ", names[i], of(i, "D_text"), roots(i), used(i))
-title = "The discriminant, and the signs of the roots"
-description = "Five rays against one sphere, each below its parabola f(t). ".in_words(1).in_words(2).in_words(3). \
-    in_words(4).in_words(5)."The hit is the smallest root greater than 0."
+used(i) = of(i, "hit") > 0 ? own("use t =")." ".of(i, "hit_text") : own("no hit")
+in_words(i) = sprintf(own("%s: b² − 4ac = %s, roots: %s; %s.")." ", names[i], of(i, "D_text"), roots(i), used(i))
+title = own("The discriminant, and the signs of the roots")
+description = own("Five rays against one sphere, each below its parabola f(t).")." ".in_words(1).in_words(2).in_words(3). \
+    in_words(4).in_words(5).own("The hit is the smallest root greater than 0.")
 steps = 5
-if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
+if (wrong) { set label 99 squares_are_yours }
 
 # A table: a column for each ray, with its section, and above it f over the same places. Its words begin where a
 # slide's do.
@@ -27,16 +27,16 @@ one = "$circle every ::0::0"
 # If there is no room for the number, its sign, which decides.
 sign_of(D) = D < 0 ? "< 0" : D > 0 ? "> 0" : "0"
 D_shown(i) = strlen(of(i, "D_text")) > (narrow ? 6 : 9) ? sign_of(of(i, "D")) : of(i, "D_text")
-root(i, k) = of(i, "roots") == 0 ? (k == 0 ? "no root" : "") : of(i, sprintf("t%d_text", k))
+root(i, k) = of(i, "roots") == 0 ? (k == 0 ? own("no root") : "") : of(i, sprintf("t%d_text", k))
 root_color(i, k) = of(i, "roots") == 0 ? grey : of(i, sprintf("t%d", k)) == of(i, "hit") ? blue : of(i, sprintf("t%d", k)) > 0 ? ink : grey
-hit_shown(i) = of(i, "hit") > 0 ? of(i, "hit_text") : "none"
+hit_shown(i) = of(i, "hit") > 0 ? of(i, "hit_text") : own("none")
 
 plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead lw 0.8 lc rgb faint title "between", \
     @one using (margin):(418):(math("b²−4ac")) with labels left tc rgb ink title "row of the discriminant", \
     @one using (margin):(axis + 50):(math("f (t)")) with labels left tc rgb ink title "row of f", \
     @one using (margin):(84):(math("t_0")) with labels left tc rgb ink title "row of t0", \
     @one using (margin):(54):(math("t_1")) with labels left tc rgb ink title "row of t1", \
-    @one using (margin):(20):("hit") with labels left tc rgb blue title "row of the hit", \
+    @one using (margin):(20):(own("hit")) with labels left tc rgb blue title "row of the hit", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with @lines lc rgb ink title "circle", \
     for [i=1:last] @one using (middle(i)):(448):(names[i]) with labels tc rgb ink title "name", \

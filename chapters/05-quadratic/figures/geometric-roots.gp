@@ -1,13 +1,13 @@
 # geometric-roots.gp - the same roots by geometry: closest approach, distance from the center, half chord.
 touches = roots == 2 && t0 == t1
-title = "The same roots by geometry"
-description = sprintf("The section through the ray and the center C of the sphere, turned so that the ray goes to the right. L is the vector \
+title = own("The same roots by geometry")
+description = sprintf(own("The section through the ray and the center C of the sphere, turned so that the ray goes to the right. L is the vector \
 from p to C: %s. Its part along v has the length s = %s and ends at M, the point of the line that is nearest to C. m = %s is the distance \
-from C to M, and r is %s", l_text, s_text, m_text, r_text).( \
-    roots == 0 ? ": m is larger than r, so the line misses the sphere." : touches ? ": m = r, so the line touches the sphere." : \
-    sprintf(". Half the chord is k = √(r² − m²) = %s, and the roots are (s − k)/|v| = %s and (s + k)/|v| = %s.", k_text, t0_text, t1_text))
+from C to M, and r is %s"), l_text, s_text, m_text, r_text).( \
+    roots == 0 ? own(": m is larger than r, so the line misses the sphere.") : touches ? own(": m = r, so the line touches the sphere.") : \
+    sprintf(own(". Half the chord is k = √(r² − m²) = %s, and the roots are (s − k)/|v| = %s and (s + k)/|v| = %s."), k_text, t0_text, t1_text))
 steps = 5
-if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
+if (wrong) { set label 99 squares_are_yours }
 
 plot $circle using @point with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     $circle using @point with @lines lc rgb ink title "circle", \

@@ -1,16 +1,16 @@
 # parabola.gp - f(t) = |p + t v|² − r² above the ray and the sphere, with one axis for t (slide 'Solving
 # quadratic'): where f is 0, the line meets the circle.
 touches = roots == 2 && t0 == t1
-title = "The quadratic as a parabola"
-description = sprintf("Above, f(t) = |p + t v|² − r² = %s%st²%s%s%s above an axis for t; f(0) is %s. Below, on the same \
-axis, the ray and the circle. ", first_text, first_text eq "" ? "" : " ", second_text, second_text eq "" ? "" : " t", \
+title = own("The quadratic as a parabola")
+description = sprintf(own("Above, f(t) = |p + t v|² − r² = %s%st²%s%s%s above an axis for t; f(0) is %s. Below, on the same \
+axis, the ray and the circle.")." ", first_text, first_text eq "" ? "" : " ", second_text, second_text eq "" ? "" : " t", \
     third_text, c_text).( \
-    roots == 0 ? sprintf("The parabola stays above the axis, and the line misses the circle. At the lowest point, t = %s, f is %s.", \
+    roots == 0 ? sprintf(own("The parabola stays above the axis, and the line misses the circle. At the lowest point, t = %s, f is %s."), \
         t_nearest_text, f_nearest_text) : \
-    touches ? sprintf("The parabola touches the axis, and the line touches the circle, at t = %s.", t0_text) : \
-    sprintf("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s.", t0_text, t1_text))
+    touches ? sprintf(own("The parabola touches the axis, and the line touches the circle, at t = %s."), t0_text) : \
+    sprintf(own("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s."), t0_text, t1_text))
 steps = 4
-if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
+if (wrong) { set label 99 squares_are_yours }
 
 # Places of t, along the line, and of f.
 t_u(t) = zero_x[1] + size[1] * (t_zero + speed * t)

@@ -1,15 +1,15 @@
 # ray-sphere.gp - where the line p + t v meets the circle (slide 'Intersecting a ray and a sphere').
 touches = roots == 2 && t0 == t1
-title = "A ray and a sphere"
-description = sprintf("The section through the ray and the center of the sphere. p is %s, v is %s, the center C is %s, \
-r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and b² − 4ac is %s: ", \
-    origin_text, velocity_text, center_text, r_text, moved ? "; p − C is ".object_p_text : "", a_text, b_text, c_text, D_text).( \
-    roots == 0 ? sprintf("no hit. The line is closest to C at t = %s, at a distance of %s.", t_nearest_text, away_text) : \
-    touches ? sprintf("the line touches the circle at t = %s.", t0_text) : \
-    sprintf("the line meets the circle at t0 = %s and t1 = %s.", t0_text, t1_text)).( \
-    hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " No hit is in front of p." : "")
+title = own("A ray and a sphere")
+description = sprintf(own("The section through the ray and the center of the sphere. p is %s, v is %s, the center C is %s, \
+r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and b² − 4ac is %s:")." ", \
+    origin_text, velocity_text, center_text, r_text, moved ? own("; p − C is")." ".object_p_text : "", a_text, b_text, c_text, D_text).( \
+    roots == 0 ? sprintf(own("no hit. The line is closest to C at t = %s, at a distance of %s."), t_nearest_text, away_text) : \
+    touches ? sprintf(own("the line touches the circle at t = %s."), t0_text) : \
+    sprintf(own("the line meets the circle at t0 = %s and t1 = %s."), t0_text, t1_text)).( \
+    hit > 0 ? sprintf(" ".own("The hit is at t = %s."), hit_text) : roots > 0 ? " ".own("No hit is in front of p.") : "")
 steps = 5
-if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
+if (wrong) { set label 99 squares_are_yours }
 
 # Across the line, for the marks of t.
 off_u = seen_x(off_x, off_y, off_z)

@@ -2,15 +2,15 @@
 # roots stay (slide 'Ray and sphere in world coordinates').
 count(at) = value(at."_roots")
 root(at, i) = value(sprintf("%s_t%d_text", at, i))
-plain(at) = count(at) == 0 ? "no root" : root(at, 0)." and ".root(at, 1)
-title = "World and object coordinates"
-description = sprintf("Left, in the world: a ray from %s along %s, and a sphere of radius %s around C = %s. Its equation \
+plain(at) = count(at) == 0 ? own("no root") : root(at, 0)." ".own("and")." ".root(at, 1)
+title = own("World and object coordinates")
+description = sprintf(own("Left, in the world: a ray from %s along %s, and a sphere of radius %s around C = %s. Its equation \
 |(p + t v) − C|² = r² has a = %s, b = %s, c = %s, and roots: %s. Right, moved by −C: the ray starts at %s, and the sphere is \
-around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s.", origin_text, velocity_text, r_text, center_text, \
+around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s."), origin_text, velocity_text, r_text, center_text, \
     world_a_text, world_b_text, world_c_text, plain("world"), object_p_text, object_a_text, object_b_text, object_c_text, \
     plain("object"))
 steps = 4
-if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
+if (wrong) { set label 99 squares_are_yours }
 
 # In the right panel: what is in object coordinates, and what the world's data are there.
 object_point = "(X($1-moved_x,$2-moved_y,$3-moved_z)):(Y($1-moved_x,$2-moved_y,$3-moved_z))"

@@ -1,16 +1,16 @@
 # explain.gp - the whole story of one pixel, in steps (slide 'Ray casting process').
 # In words, also the quadratic of each sphere k of those that are explained.
 of(what, k) = value(sprintf("%s_%d_text", what, k))
-plain(k) = sprintf("Sphere %s: a = %s, b = %s, c = %s, discriminant %s, %s. ", value(sprintf("name_%d", k)), of("a", k), \
-    of("b", k), of("c", k), of("discriminant", k), value(sprintf("roots_%d", k)) < 1 ? "no root: missed" : \
-    "roots ".of("root_0", k)." and ".of("root_1", k).(value(sprintf("root_1_%d", k)) > 0 ? "" : ": behind the eye"))
+plain(k) = sprintf(own("Sphere %s: a = %s, b = %s, c = %s, discriminant %s, %s.")." ", value(sprintf("name_%d", k)), of("a", k), \
+    of("b", k), of("c", k), of("discriminant", k), value(sprintf("roots_%d", k)) < 1 ? own("no root: missed") : \
+    own("roots")." ".of("root_0", k)." ".own("and")." ".of("root_1", k).(value(sprintf("root_1_%d", k)) > 0 ? "" : ": ".own("behind the eye")))
 all_plain(k) = k > told ? "" : plain(k).all_plain(k + 1)
-title = "One pixel, explained"
-description = sprintf("Pixel %s of %s has its center at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is v = %s. ", \
+title = own("One pixel, explained")
+description = sprintf(own("Pixel %s of %s has its center at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is v = %s.")." ", \
     pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, p_text, vector_v_text).all_plain(1). \
-    (all_hits == 0 ? "The ray hits nothing, so the pixel shows the background. " : \
-    sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
-    sprintf("The color is %s. ", bytes_text).in_part(0).drawn_text
+    (all_hits == 0 ? own("The ray hits nothing, so the pixel shows the background.")." " : \
+    sprintf(own("The smallest t > 0 is %s, on sphere %s.")." ", nearest_text, nearest_name)). \
+    sprintf(own("The color is %s.")." ", bytes_text).in_part(0).drawn_text
 steps = 6
 @spheres
 # Visible on every sphere: in a white ring with a black rim.

@@ -1,9 +1,9 @@
 # image-order.gp - for each pixel its ray, and the sphere that it hits (slide 'Image order').
-title = "Image order: for each pixel, find the object that colors it"
-description = sprintf("A ray goes from the eye through the center of pixel %s of %s and %s. ", pixel_text, size_text, \
-    all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
-    (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centers of %d of the \
-%s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).drawn_text)
+title = own("Image order: for each pixel, find the object that colors it")
+description = sprintf(own("A ray goes from the eye through the center of pixel %s of %s and %s.")." ", pixel_text, size_text, \
+    all_hits == 0 ? own("meets no sphere") : sprintf(own("meets sphere %s at t = %s"), nearest_name, nearest_text)). \
+    (misses ? own("The ray of another pixel meets nothing.")." " : "").sprintf(own("The rays through the centers of %d of the \
+%s pixels that are drawn hit a sphere. %s"), cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres
 @seen_front

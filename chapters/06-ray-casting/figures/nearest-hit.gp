@@ -4,13 +4,13 @@
 # Lengths are measured in the ray's t. If a sphere is too large for the paper (part is 1: a ground), only
 # its part in the window from low_x to high_x and low_y to high_y is drawn. At first all spheres look alike: step 2
 # says which of them the line misses, step 3 which are behind the eye.
-left_out = (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : "").(part_names eq "" ? "" : \
-    sprintf("Of %s only a part is drawn.", part_names))
-title = "The nearest hit: the smallest t > 0"
-description = sprintf("One ray and %d spheres. ", balls).(behind_names eq "" ? "" : \
-    sprintf("Behind the eye, t < 0, so they are not hits: %s. ", behind_names)).(missed_names eq "" ? "" : \
-    sprintf("Missed: %s. ", missed_names)).(all_hits == 0 ? "No t is greater than 0, so nothing is hit. " : \
-    sprintf("Hit: %s. The smallest t > 0 is %s, on sphere %s. ", hit_names, nearest_text, nearest_name)). \
+left_out = (balls < all_balls ? sprintf(own("Drawn are %d of %d spheres.")." ", balls, all_balls) : "").(part_names eq "" ? "" : \
+    sprintf(own("Of %s only a part is drawn."), part_names))
+title = own("The nearest hit: the smallest t > 0")
+description = sprintf(own("One ray and %d spheres.")." ", balls).(behind_names eq "" ? "" : \
+    sprintf(own("Behind the eye, t < 0, so they are not hits: %s.")." ", behind_names)).(missed_names eq "" ? "" : \
+    sprintf(own("Missed: %s.")." ", missed_names)).(all_hits == 0 ? own("No t is greater than 0, so nothing is hit.")." " : \
+    sprintf(own("Hit: %s. The smallest t > 0 is %s, on sphere %s.")." ", hit_names, nearest_text, nearest_name)). \
     left_out
 steps = 4
 axis = 96
@@ -71,6 +71,6 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
         lc rgb blue title "closest, down", \
     @step4 @who $closest index who using (x($1)):(on_ray) with points pt (who ? 8 : 7) ps 0.6 lc rgb blue title "closest", \
     @step4 $closest index 0 using (x($1)):(axis) with @dot lc rgb blue title "closest on the axis", \
-    @step4 $along using (words_x):(30):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
-        ", sphere ".nearest_name : "no ".math("t")." > 0: nothing is hit") with labels tc rgb blue title "words", \
+    @step4 $along using (words_x):(30):(all_hits ? own("smallest")." ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
+        ", ".own("sphere")." ".nearest_name : own("no")." ".math("t")." > 0: ".own("nothing is hit")) with labels tc rgb blue title "words", \
     @labels

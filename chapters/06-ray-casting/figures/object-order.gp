@@ -1,9 +1,9 @@
 # object-order.gp - for one object, the pixels that it colors (slide 'Object order').
-title = "Object order: for each object, find the pixels that it colors"
-description = (!eye_inside ? sprintf("Lines go from the outline of sphere %s to the eye. The places where they cross the image plane \
-are its outline in the picture. Of the pixels that are drawn, the sphere colors those with centers inside: %d of %s. ", \
-    object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, because the eye is in it. It colors %d of the \
-%s pixels that are drawn. ", object_name, cells, grid_text)).drawn_text
+title = own("Object order: for each object, find the pixels that it colors")
+description = (!eye_inside ? sprintf(own("Lines go from the outline of sphere %s to the eye. The places where they cross the image plane \
+are its outline in the picture. Of the pixels that are drawn, the sphere colors those with centers inside: %d of %s.")." ", \
+    object_name, cells, grid_text) : sprintf(own("Sphere %s has no outline here, because the eye is in it. It colors %d of the \
+%s pixels that are drawn.")." ", object_name, cells, grid_text)).drawn_text
 steps = 4
 @spheres
 @seen_front

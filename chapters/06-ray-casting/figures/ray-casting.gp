@@ -1,10 +1,10 @@
 # ray-casting.gp - one ray, all its hits, and the color of the closest one (slide 'Ray casting').
-title = "Ray casting: the closest hit colors the pixel"
-description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
-    (all_hits == 0 ? "It meets no sphere, so the pixel has the color of the background. " : \
-    sprintf("It meets %d of %d spheres; the closest hit is on sphere %s at t = %s, so the pixel has its color. ", \
+title = own("Ray casting: the closest hit colors the pixel")
+description = sprintf(own("The ray of pixel %s of %s goes from the eye through the image plane.")." ", pixel_text, size_text). \
+    (all_hits == 0 ? own("It meets no sphere, so the pixel has the color of the background.")." " : \
+    sprintf(own("It meets %d of %d spheres; the closest hit is on sphere %s at t = %s, so the pixel has its color.")." ", \
         all_hits, all_balls, nearest_name, nearest_text).farther_hits). \
-    sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, in_part(0).drawn_text)
+    sprintf(own("%d of the %s pixels that are drawn show a sphere. %s"), cells, grid_text, in_part(0).drawn_text)
 steps = 5
 @spheres
 @seen_front

@@ -1,11 +1,11 @@
 # beam-and-lobe.gp - why diffuse light has a cosine: a slanted beam is wider on the surface than across; and what the exponent
 # of a highlight does.
-title = "Diffuse light, and highlights"
-description = (arrives ? sprintf("Left: a beam of light is %s wide across. It meets the surface at the angle θ to the normal n, and there it is \
-%s wide, so each piece of the surface gets %s of the light: the cosine of θ. ", beam_text, spread_text, cosine_text) : \
-    "Left: the light is below the horizon, or so low that hardly any of it arrives. ").\
-    "Right: how bright the highlight is for an eye in each direction, drawn as the distance from the point. It is brightest in the mirrored \
-direction. With shine 80 the lobe is much narrower than with shine 8."
+title = own("Diffuse light, and highlights")
+description = (arrives ? sprintf(own("Left: a beam of light is %s wide across. It meets the surface at the angle θ to the normal n, and there it is \
+%s wide, so each piece of the surface gets %s of the light: the cosine of θ.")." ", beam_text, spread_text, cosine_text) : \
+    own("Left: the light is below the horizon, or so low that hardly any of it arrives.")." ").\
+    own("Right: how bright the highlight is for an eye in each direction, drawn as the distance from the point. It is brightest in the mirrored \
+direction. With shine 80 the lobe is much narrower than with shine 8.")
 steps = 3
 
 

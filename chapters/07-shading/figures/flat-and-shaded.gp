@@ -1,12 +1,12 @@
 # flat-and-shaded.gp - the closing slide: the same spheres, flat and shaded ('Still something missing').
 #
 # If something is wrong, the two pictures are the right one, shaded, and yours.
-title = "Flat, and shaded"
-description = sprintf("The same %s spheres twice. Left, flat: each has one color. Right, shaded: bright where the \
-surface faces the light.", spheres_text).(has_highlight ? " A highlight is where the surface mirrors the light into the eye." : ""). \
-    (has_shadow ? sprintf(" In the shadow of a sphere there is only ambient light, %s of white.", ambient_text) : "")
+title = own("Flat, and shaded")
+description = sprintf(own("The same %s spheres twice. Left, flat: each has one color. Right, shaded: bright where the \
+surface faces the light."), spheres_text).(has_highlight ? " ".own("A highlight is where the surface mirrors the light into the eye.") : ""). \
+    (has_shadow ? sprintf(" ".own("In the shadow of a sphere there is only ambient light, %s of white."), ambient_text) : "")
 if (wrong) {
-    description = sprintf("The same %s spheres twice, shaded: left with right answers, right with yours.", spheres_text)
+    description = sprintf(own("The same %s spheres twice, shaded: left with right answers, right with yours."), spheres_text)
     differs = ""
     unset label 99
 }
@@ -47,17 +47,17 @@ more_1 = below(1, 1)
 more_2 = below(2, 1)
 
 plot for [panel=1:1] @in_panel title cast_title(1, "flat"), \
-    $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
-    $once using @more_1:(wrong ? "" : "one color each") with labels tc rgb grey title "flat, in words", \
+    $once using @name_1:(wrong ? own("right") : own("flat")) with labels tc rgb ink title "flat, label", \
+    $once using @more_1:(wrong ? "" : own("one color each")) with labels tc rgb grey title "flat, in words", \
     for [_=2:step:1000] for [panel=2:2] @in_panel title cast_title(2, "shaded"), \
-    @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
-    @step2 $once using @more_2:(wrong ? "" : "with light and shadow") with labels tc rgb grey title "shaded, in words", \
+    @step2 $once using @name_2:(wrong ? own("yours") : own("shaded")) with labels tc rgb ink title "shaded, label", \
+    @step2 $once using @more_2:(wrong ? "" : own("with light and shadow")) with labels tc rgb grey title "shaded, in words", \
     @shining $highlight using @to_highlight with @black_line title "to the highlight", \
     @shining $highlight using @to_highlight with @white_line title "to the highlight, inside", \
-    @shining $highlight using @at_highlight:("highlight") with labels tc rgb ink title "highlight", \
+    @shining $highlight using @at_highlight:(own("highlight")) with labels tc rgb ink title "highlight", \
     @shadowed $shadow using @to_shadow with @black_line title "to the shadow", \
     @shadowed $shadow using @to_shadow with @white_line title "to the shadow, inside", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.55 lc rgb "black" title "in the shadow", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.35 lc rgb "white" title "in the shadow, inside", \
-    @shadowed $shadow using @at_shadow:("shadow") with labels tc rgb ink title "shadow"
+    @shadowed $shadow using @at_shadow:(own("shadow")) with labels tc rgb ink title "shadow"
 @forget

@@ -1,9 +1,9 @@
 # self-hit.gp - why a ray must not start on the surface that it leaves, and the remedy.
-title = "A surface that hits itself"
-description = "A ray from the eye hits a sphere. Left: because of rounding, the computed point is a little inside the \
+title = own("A surface that hits itself")
+description = own("A ray from the eye hits a sphere. Left: because of rounding, the computed point is a little inside the \
 sphere; here that is drawn far too large. From there, the ray to the light hits the sphere itself from inside, so the point \
 is in its own shadow. A picture made so has dark specks. Right: the ray starts a little outside, along the normal n, and \
-reaches the light. The same picture has no specks.".(exists("$your_smooth") ? " Yours is shown in its place." : "")
+reaches the light. The same picture has no specks.").(exists("$your_smooth") ? " ".own("Yours is shown in its place.") : "")
 steps = 4
 # The pictures are below the drawings, at the edges of the canvas, with words beside them.
 cast = 1
@@ -17,8 +17,8 @@ pixel = 1.0 * wide / side
 left(number) = number == 1 ? 14 : width - 14 - wide
 at_the_edge = 'cast_file(number) binary filetype=png origin=(left(number)+pixel/2,14+pixel/2) dx=pixel dy=pixel with rgbimage'
 if (framed) at_the_edge = '$square using (left(number)+wide*$1):(14+wide*$2) with lines lc rgb ink'
-array said[6] = ["starts inside,", "hits itself:", "dark specks", "starts outside,", "reaches the light:", \
-    exists("$your_smooth") ? "yours" : "no specks"]
+array said[6] = [own("starts inside,"), own("hits itself:"), own("dark specks"), own("starts outside,"), own("reaches the light:"), \
+    exists("$your_smooth") ? own("yours") : own("no specks")]
 line(k) = 14 + wide / 2.0 + 32 * (1 - (k - 1) % 3)
 spot = "points pt 3 ps 1.2 lw 2.4"
 missed = "points pt 2 ps 1.1 lw 3.4"

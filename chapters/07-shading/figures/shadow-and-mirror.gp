@@ -1,9 +1,9 @@
 # shadow-and-mirror.gp - the two rays that leave a point: to the light, and the mirrored one.
-title = "Two rays from one point"
-description = "Three spheres, an eye and a light. The eye's ray meets a sphere at a point with the normal n. ".(visibility > 0 ? \
-    "The shadow ray from there reaches the light: visibility 1. " : "The shadow ray from there meets another sphere before the light: no light arrives, visibility 0. ").\
-    (mirrored_t < 1e300 ? "The mirrored ray leaves on the other side of n and meets another sphere, whose color the mirror shows." : \
-    "The mirrored ray leaves on the other side of n and meets no sphere: the mirror shows the background.")
+title = own("Two rays from one point")
+description = own("Three spheres, an eye and a light. The eye's ray meets a sphere at a point with the normal n.")." ".(visibility > 0 ? \
+    own("The shadow ray from there reaches the light: visibility 1.")." " : own("The shadow ray from there meets another sphere before the light: no light arrives, visibility 0.")." ").\
+    (mirrored_t < 1e300 ? own("The mirrored ray leaves on the other side of n and meets another sphere, whose color the mirror shows.") : \
+    own("The mirrored ray leaves on the other side of n and meets no sphere: the mirror shows the background."))
 steps = 3
 
 spot = "points pt 3 ps 0.7 lw 2"

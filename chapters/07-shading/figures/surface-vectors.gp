@@ -1,8 +1,8 @@
 # surface-vectors.gp - the vectors at a point of a sphere, and the angles of the three terms.
-title = "The vectors at a point"
-description = sprintf("A point of a sphere with five vectors, each 1 long: the normal n; l to the light; m, the mirrored direction, on the other \
+title = own("The vectors at a point")
+description = sprintf(own("A point of a sphere with five vectors, each 1 long: the normal n; l to the light; m, the mirrored direction, on the other \
 side of n; e to the eye; and h, halfway between l and e. Three angles: θ between n and l, with the cosine %s, for diffuse light; α between m \
-and e, with the cosine %s, for Phong's highlight; β between n and h, with the cosine %s, for the halfway variant.", \
+and e, with the cosine %s, for Phong's highlight; β between n and h, with the cosine %s, for the halfway variant."), \
     diffuse_text, phong_text, halfway_text)
 steps = 4
 

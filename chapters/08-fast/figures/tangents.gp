@@ -1,10 +1,10 @@
 # tangents.gp - the sphere from above: two lines through the eye touch its circle, and meet the image plane at the left
 # and the right edge of its rectangle.
-title = "Which part of the screen?"
-description = sprintf("From above: the eye at the left, the image plane in front of it, and the circle of a sphere of radius %s, whose center C \
-is z = %s ahead of the eye and x = %s to the right. ", r_text, z_text, x_text).(nothing ? "It is behind the eye or beside the screen." : \
-    sprintf("Two lines through the eye touch the circle. On a screen of %s columns they meet the image plane at %s and %s: the \
-left and the right edge of the sphere's rectangle.", columns_text, left_text, right_text))
+title = own("Which part of the screen?")
+description = sprintf(own("From above: the eye at the left, the image plane in front of it, and the circle of a sphere of radius %s, whose center C \
+is z = %s ahead of the eye and x = %s to the right.")." ", r_text, z_text, x_text).(nothing ? own("It is behind the eye or beside the screen.") : \
+    sprintf(own("Two lines through the eye touch the circle. On a screen of %s columns they meet the image plane at %s and %s: the \
+left and the right edge of the sphere's rectangle."), columns_text, left_text, right_text))
 steps = 4
 
 
