@@ -164,17 +164,18 @@ const STYLE = `
 .handle:hover::before, .handle:focus-visible::before, .handle.held::before { opacity: 1; inset: 8px; }
 .handle:focus-visible { outline: 3px solid var(--blue, #0069a8); outline-offset: -4px; }
 .handle.held { cursor: grabbing; }
-.bar { display: flex; flex-wrap: wrap; align-items: center; gap: 0.4rem 0.9rem; box-sizing: border-box; min-height: 3.1rem; padding: 0.4rem 0.75rem; border-top: 1px solid var(--line, #d0d6dc);
+.bar { display: flex; flex-wrap: wrap; align-items: center; gap: 0.4rem 0.9rem; box-sizing: border-box; min-height: 3.7rem; padding: 0.35rem 0.75rem; border-top: 1px solid var(--line, #d0d6dc);
     font: 0.88rem/1.4 var(--sans, sans-serif); color: var(--ink, #1a1c20); background: var(--surface, #f4f6f9); }
 .bar button { font: inherit; color: inherit; min-height: 2.1rem; min-width: 2.1rem; padding: 0.15rem 0.6rem; border: 1px solid var(--line, #d0d6dc);
     border-radius: 0.4rem; background: var(--ground, #fff); cursor: pointer; }
 .bar button:disabled { opacity: 0.4; cursor: default; }
 .bar-fields { display: flex; gap: 0.5rem; flex: 1 1 0; min-width: 0; margin: -4px; padding: 4px; overflow-x: auto; scrollbar-width: thin; white-space: nowrap; }
 .steps { display: flex; align-items: center; gap: 0.4rem; margin-left: auto; }
-label { display: inline-flex; align-items: center; gap: 0.25rem; }
-input { font: inherit; width: 6.4em; min-height: 2.1rem; box-sizing: border-box; padding: 0.1rem 0.3rem; color: inherit; background: var(--ground, #fff);
-    border: 1px solid var(--grey, #626a73); border-radius: 0.3rem; }
-input.short { width: 3.5em; }
+label { display: flex; flex-direction: column; flex: 1 1 6.2rem; min-width: min-content; max-width: 17rem; font-size: 0.78rem; line-height: 1.2; }
+label:has(.short) { flex-basis: 3rem; max-width: 6rem; }
+input { font: 0.88rem/1.4 var(--sans, sans-serif); width: 100%; min-width: 5.6rem; min-height: 1.9rem; box-sizing: border-box; padding: 0.1rem 0.3rem; color: inherit;
+    background: var(--ground, #fff); border: 1px solid var(--grey, #626a73); border-radius: 0.3rem; }
+input.short { min-width: 2.6rem; }
 button:focus-visible, input:focus-visible { outline: 3px solid var(--blue, #0069a8); outline-offset: 1px; }
 .wrong { flex-basis: 100%; margin: 0; color: var(--orange, #b84a00); }
 .wrong:empty { display: none; }

@@ -78,6 +78,8 @@ test("live figures, by mouse, finger, key and number", async () => {
             await isLive(all, name);
             const now = await state(all, name);
             assert.ok(now.title.length > 5 && now.words.length > 20, `${name} has words`);
+            assert.deepEqual(await all.$eval(`${place(name)} .drawing > div`, ({ shadowRoot }) =>
+                [...shadowRoot.querySelectorAll(".bar-fields, input")].filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.name || "fields")), [], `${name}: numbers that are cut`);
             await all.shot(`live-${name}`, await all.$(place(name)));
         }
         assert.deepEqual(await seriousFindings(all), [], `${stem} with live figures`);
@@ -124,7 +126,7 @@ test("live figures, by mouse, finger, key and number", async () => {
     await follow("follow", (its) => its.r === "0.25" && its.center === "(0, 0, 0)" && its.c === "16.9375" && its.t0 === "none");
     await type("ray-sphere", "origin", "-4,-2,0");
     await type("ray-sphere", "radius", "1");
-    await follow("follow a typed origin", (its) => its.p === "(-4, -2, 0)" && its.c === "19" && its.b === "−8.92" && Number(its.t0) > 3 && Number(its.t1) > Number(its.t0));
+    await follow("follow a typed origin", (its) => its.p === "(−4, −2, 0)" && its.c === "19" && its.b === "−8.92" && Number(its.t0) > 3 && Number(its.t1) > Number(its.t0));
     assert.deepEqual(await seriousFindings(tab), [], "numbers that follow");
 
     // Steps, and back to the lecture's numbers.
