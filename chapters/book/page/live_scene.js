@@ -2,6 +2,7 @@
 // its spheres and lights dragged, another scene chosen or written, and one pixel explained.
 import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
 import { moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
+import { showView } from "./room.js";
 
 const FIRST = "three-spheres", OWN = "your own";
 const SCENES = { [FIRST]: "three spheres", "sphereflake-91": "91 spheres", "sphereflake-820": "820 spheres", sunflower: "a sunflower", finale: "the finale" };
@@ -265,6 +266,11 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     place();
     const open = () => { details.open = true; };
     document.querySelector("#editor").addEventListener("focusin", open, { once: true });
+    document.querySelector("#reset").after(button("Scene", () => {
+        details.open = !details.open;
+        if (narrow.matches)
+            showView("verdict");
+    }));
     if (/^#scene=/.test(location.hash))
         open();
     return { follow };

@@ -26,6 +26,13 @@ const sphereA = (now) => /^sphere A at (.*)\. Drag/.exec(now.things.find((each) 
 test("a scene beside the exercise", async (t) => {
     let reference;
     await t.test("the reference casts it, while nothing is answered", async () => {
+        const panel = () => tab.$eval(".live-scene", (each) => `${each.open} ${getComputedStyle(each).position}`), press = () => tab.press("#reset + button");
+        await waitFor("a panel", () => tab.$(".live-scene"));
+        assert.equal(await panel(), "false static", "closed, it covers nothing");
+        await press();
+        assert.equal(await panel(), "true sticky");
+        await press();
+        assert.equal(await panel(), "false static");
         await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus()); // that opens it
         reference = await fine("a picture", ({ credit }) => /the reference/.test(credit));
         assert.equal(reference.things.length, 4, "three spheres and a light");
