@@ -40,6 +40,13 @@ void story_line(const char *label, const char *format, ...)
     va_end(arguments);
 }
 
+void story_segment(const char *name, vec3 from, vec3 to)
+{
+    if (story_names_functions)
+        printf("\t%s %.17g %.17g %.17g %.17g %.17g %.17g\n", name, from[0], from[1], from[2], to[0],
+               to[1], to[2]);
+}
+
 void story_camera(Camera c)
 {
     story_line("eye       p", "%s", vec3_text(c.origin).s);

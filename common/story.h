@@ -17,6 +17,10 @@ void story_line(const char *label, const char *format, ...) __attribute__((forma
 void story_by(const char *functions);
 extern bool story_names_functions;
 
+// What the story is about, in the scene: a line from a point to another. Printed only if somebody
+// wants names, for a page that draws it: after a tab, with all digits.
+void story_segment(const char *name, vec3 from, vec3 to);
+
 // The seven parts of a camera, a line each.
 void story_camera(Camera camera);
 

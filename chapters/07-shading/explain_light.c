@@ -54,6 +54,8 @@ static void tell_light(const Scene *scene, int i, Ray ray, Hit hit, vec3 normal,
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 to_light = ray_to_light(point, light).direction;
     bool arrives = visibility(scene, start, light) > 0;
+    story_segment(arrives ? "light" : "shadow", start,
+                  start + ray_to_light(start, light).direction);
     story_heading("Light %d, %s", i + 1, vec3_text(light.color).s);
     story_by("ray_to_light");
     story_line("from the point to it", "%s, unit %s", vec3_text(to_light).s,
@@ -75,6 +77,38 @@ static void tell_light(const Scene *scene, int i, Ray ray, Hit hit, vec3 normal,
                    .s);
 }
 
+// The surface is seen from the side of the eye, also from inside.
+static vec3 normal_to_eye(Sphere sphere, vec3 point, Ray ray)
+{
+    vec3 normal = surface_normal(sphere, point);
+    return vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
+}
+
+// The rays that mirrors send on, as trace_ray follows them.
+static void tell_mirrors(const Scene *scene, Ray ray, Hit hit, int depth)
+{
+    for (int i = 1; i <= depth && hit.sphere >= 0; i++) {
+        Sphere sphere = scene->spheres[hit.sphere];
+        if (!(scene_surface(scene, hit.sphere)->specular > 0))
+            return;
+        vec3 point = ray.origin + hit.t * ray.direction;
+        vec3 normal = normal_to_eye(sphere, point, ray);
+        ray = (Ray){offset_from_surface(sphere, point, normal),
+                    mirror_direction(ray.direction, normal)};
+        hit = nearest_hit(ray, scene);
+        bool meets = hit.sphere >= 0;
+        story_segment("mirror", ray.origin, ray.origin + (meets ? hit.t : 1) * ray.direction);
+        story_heading("Mirrored ray %d", i);
+        story_by("mirror_direction");
+        story_line("direction", "%s", vec3_text(ray.direction).s);
+        story_by("nearest_hit");
+        if (meets)
+            story_line("meets sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
+        else
+            story_line("meets nothing", "the background, %s", vec3_text(scene->background).s);
+    }
+}
+
 void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel pixel, int depth)
 {
     Ray ray = pixel_ray(camera, screen, pixel);
@@ -82,13 +116,16 @@ void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel p
     printf("07-shading: light, and the color that a surface sends back\n");
     story_heading("What pixel (%d, %d) sees", pixel.column, pixel.row);
     if (hit.sphere < 0) {
+        story_segment("ray", ray.origin, ray.origin + 2 * ray_to_plane(ray, camera).direction);
         story_line("nothing", "the background, %s", vec3_text(scene->background).s);
         return;
     }
     Sphere sphere = scene->spheres[hit.sphere];
     vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = surface_normal(sphere, point);
+    vec3 normal = normal_to_eye(sphere, point, ray);
     vec3 start = offset_from_surface(sphere, point, normal);
+    story_segment("ray", ray.origin, point);
+    story_segment("normal", point, point + normal);
     story_by("nearest_hit");
     story_line("sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
     story_line("point", "%s", vec3_text(point).s);
@@ -99,6 +136,7 @@ void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel p
     tell_surface(scene, hit.sphere);
     for (int i = 0; i < scene->light_count; i++)
         tell_light(scene, i, ray, hit, normal, start);
+    tell_mirrors(scene, ray, hit, depth);
     story_heading("Together");
     story_by("shade");
     story_line("shade", "%s", vec3_text_to(shade(scene, ray, hit), 4).s);

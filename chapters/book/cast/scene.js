@@ -41,6 +41,12 @@ export function fly(view, across, above, ahead) {
     return { ...view, from: plus(view.from, by), at: plus(view.at, by) };
 }
 
+/** From beside: the eye, and what it looks at. */
+export function beside(view) {
+    const { forward, right, up } = axes(view), way = minus(view.at, view.from), length = Math.sqrt(dot(way, way)), at = plus(view.from, times(0.55, way));
+    return { ...view, at, from: plus(at, times(1.8 * length, unit(plus(right, plus(times(0.45, up), times(-0.25, forward)))))), angle: 42 };
+}
+
 // ---- where things are on the picture, and moved there -----------------------------------------------
 
 /** A point in the picture: right and down, in parts of the picture's width, from its middle; ahead: its distance along forward. */

@@ -1,8 +1,10 @@
 // live_scene.js - a scene beside the exercise, cast by the student's functions while they write, right or wrong: turned,
 // its spheres and lights dragged, another scene chosen or written, and one pixel explained.
 import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
-import { moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
+import { beside, moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
+import { drawStory, storyOf } from "./pixel_story.js";
 import { showView } from "./room.js";
+import { element } from "./verdict.js";
 
 const FIRST = "three-spheres", OWN = "your own";
 const SCENES = { [FIRST]: "three spheres", "sphereflake-91": "91 spheres", "sphereflake-820": "820 spheres", sunflower: "a sunflower", finale: "the finale" };
@@ -12,13 +14,8 @@ const MOST_HANDLES = 9, LONGEST_LINK = 12_000;
 const A_KEY = 0.01; // how far an arrow key moves a thing, in parts of the picture's width
 const KEYS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, -1, 0], ArrowDown: [0, 1, 0], "+": [0, 0, 3], "=": [0, 0, 3], "-": [0, 0, -3] };
 
-const element = (name, attributes = {}, ...children) => {
-    const made = Object.assign(document.createElement(name), attributes);
-    made.append(...children);
-    return made;
-};
-const button = (textContent, whenClicked) => {
-    const made = element("button", { type: "button", textContent });
+const button = (words, whenClicked) => {
+    const made = element("button", { type: "button" }, words);
     made.addEventListener("click", whenClicked);
     return made;
 };
@@ -42,29 +39,29 @@ async function unpacked(words) {
  */
 export function setUpLiveScene({ stem, site, course, answers, ask }) {
     const chapterOf = Object.fromEntries(Object.entries(course.functions).flatMap(([of, names]) => names.map((name) => [name, of])));
-    const canvas = element("canvas", { width: 320, height: 240, tabIndex: 0 });
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "The scene. Arrow keys turn it, plus and minus go closer and farther away, W, A, S, D, Q and E fly. Click a pixel for its story.");
-    const mark = element("span", { className: "pixel-mark", hidden: true }), handles = element("div", { className: "handles" });
-    const credit = element("span", { className: "credit" }), wrong = element("p", { className: "note", hidden: true }), took = element("span", { className: "state" });
-    credit.setAttribute("role", "status");
-    wrong.setAttribute("role", "alert");
-    const scenes = element("select"), casters = element("select"), pixelInput = element("input", { placeholder: "160,120", autocomplete: "off" });
-    for (const [value, words] of [...Object.entries(SCENES), [OWN, OWN]])
-        scenes.append(element("option", { value, textContent: words }));
-    for (const value of [...CASTERS[stem] ?? [], ""])
-        casters.append(element("option", { value, textContent: value || "trace_ray" }));
-    const written = element("div", { className: "scene-text", hidden: true }), story = element("div", { className: "story", tabIndex: 0, hidden: true });
-    story.setAttribute("aria-label", "The story of the pixel");
-    const actions = element("div", { className: "actions" }, element("label", {}, "Scene ", scenes), ...casters.length > 1 ? [element("label", {}, "by ", casters)] : [],
+    const canvas = element("canvas", { width: 320, height: 240, tabindex: 0, role: "img",
+        "aria-label": "The scene. Arrow keys turn it, plus and minus go closer and farther away, W, A, S, D, Q and E fly. Click a pixel for its story." });
+    const mark = element("span", { class: "pixel-mark", hidden: "" }), handles = element("div", { class: "handles" });
+    const rays = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    rays.setAttribute("viewBox", "-0.5 -0.375 1 0.75");
+    rays.setAttribute("aria-hidden", "true"); // the story has it in words
+    const credit = element("span", { class: "credit", role: "status" }), wrong = element("p", { class: "note", role: "alert", hidden: "" }), took = element("span", { class: "state" });
+    const option = (value, words) => element("option", { value }, words);
+    const scenes = element("select", {}, ...Object.entries(SCENES).map(([value, words]) => option(value, words)), option(OWN, OWN));
+    const casters = element("select", {}, ...[...CASTERS[stem] ?? [], ""].map((value) => option(value, value || "trace_ray")));
+    const pixelInput = element("input", { placeholder: "160,120", autocomplete: "off" }), turn = button("From beside", () => turnAside());
+    turn.hidden = true;
+    const written = element("div", { class: "scene-text", hidden: "" }), story = element("div", { class: "story", tabindex: 0, hidden: "", "aria-label": "The story of the pixel" });
+    const actions = element("div", { class: "actions" }, element("label", {}, "Scene ", scenes), ...casters.length > 1 ? [element("label", {}, "by ", casters)] : [],
         button("Write", () => write().catch((reason) => tell(reason.message))), button("Link", () => link().catch((reason) => tell(reason.message))),
         button("Save", () => save(canvas, "scene.png")), element("label", {}, "pixel ", pixelInput), took);
-    const details = element("details", { className: "live-scene" }, element("summary", {}, "A scene, cast by your code ", credit),
-        actions, wrong, element("div", { className: "live-body" }, element("div", { className: "stage" }, canvas, handles, mark), element("div", { className: "live-side" }, written, story)));
+    const details = element("details", { class: "live-scene" }, element("summary", {}, "A scene, cast by your code ", credit),
+        actions, wrong, element("div", { class: "live-body" }, element("div", { class: "stage" }, canvas, rays, handles, mark), element("div", { class: "live-side" }, written, turn, story)));
 
     // ---- the picture -----------------------------------------------------------------------------
 
-    let text = "", name = "", things = [], editor = null, pixel = null, from = null;
+    let text = "", name = "", things = [], editor = null, pixel = null, from = null, segments = [];
+    let home = null; // whose pixel is explained, while it is seen from beside
     const tell = (words) => { wrong.textContent = words; wrong.hidden = words === ""; };
     const view = openView(canvas, site, {
         onPicture(isFine, milliseconds) {
@@ -75,7 +72,10 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
                 explain();
         },
         onView() { placeHandles(); },
-        onPoint(chosen) { explain(chosen); },
+        onPoint(chosen) {
+            if (!home)
+                explain(chosen);
+        },
         onTrouble(trouble) {
             const [, line, what] = /^line (\d+): (.*)/.exec(trouble) ?? [];
             editor?.mark(line ? [{ line: Number(line), column: 1, severity: "error", message: what }] : []);
@@ -91,6 +91,8 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             scenes.value = name = OWN;
         if (editor && !isFromEditor)
             editor.replace(text);
+        if (home && !keepsView)
+            setHome(null);
         draw({ scene: text, keepsView });
     }
     function draw(what) {
@@ -116,7 +118,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             editor.focus();
     }
     async function link() {
-        const hash = `#scene=${await packed({ ...name === OWN ? { text } : { name }, view: view.view && numbersOf(view.view) })}`;
+        const hash = `#scene=${await packed({ ...name === OWN ? { text } : { name }, view: view.view && numbersOf(home ?? view.view) })}`;
         if (hash.length > LONGEST_LINK)
             throw new Error("This scene is too long for a link.");
         history.replaceState(null, "", hash);
@@ -157,6 +159,8 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     // ---- spheres and lights, dragged ---------------------------------------------------------------
 
     function placeHandles() {
+        if (view.view && pixel)
+            drawStory(rays, segments, view.view, home ?? view.view, canvas, pixel);
         const shown = things.filter(({ kind }) => kind === "l" || things.length <= MOST_HANDLES).slice(0, MOST_HANDLES);
         while (handles.children.length < shown.length)
             handles.append(newHandle());
@@ -177,7 +181,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     }
     const put = (thing, start, ...by) => show(withThing(text, thing.line, moved(view.view, start, ...by)), { keepsView: true });
     function newHandle() {
-        const made = element("button", { type: "button", className: "handle" });
+        const made = element("button", { type: "button", class: "handle" });
         made.addEventListener("pointerdown", (event) => {
             event.preventDefault();
             made.focus({ preventScroll: true });
@@ -209,26 +213,30 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             return;
         pixel = chosen;
         pixelInput.value = `${pixel.column},${pixel.row}`;
-        mark.hidden = false;
         mark.style.left = `${100 * (pixel.column + 0.5) / canvas.width}%`;
         mark.style.top = `${100 * (pixel.row + 0.5) / canvas.height}%`;
+        mark.hidden = home !== null;
         try {
-            const said = await view.pool.explain(view.opened, view.pass(1), pixel);
-            story.replaceChildren(...said.slice(said.indexOf("\nFrom the pixel")).split("\n").filter((line) => line !== "" && !/^\d\d-/.test(line)).map(lineOf));
+            const told = storyOf(await view.pool.explain(view.opened, { ...view.pass(1), view: numbersOf(home ?? view.view) }, pixel), chapterOf);
+            story.replaceChildren(...told.lines);
+            ({ segments } = told);
+            placeHandles();
         } catch (reason) {
             if (reason.message)
-                story.replaceChildren(element("p", { textContent: `There is no story: ${reason.message}.` }));
+                story.replaceChildren(element("p", {}, `There is no story: ${reason.message}.`));
         }
-        story.hidden = false;
+        story.hidden = turn.hidden = false;
     }
-    /** A heading, or a label, a value, and whose function that is: as common/story.c prints it. */
-    function lineOf(line) {
-        const [words, names = ""] = line.split("\t"), label = words.slice(2, 29).trim(), value = words.slice(30);
-        if (!/^ /.test(words))
-            return element("h4", { textContent: words });
-        const by = names.split(" ").filter(Boolean).map((each) => element("a", { href: `${chapterOf[each]}.html`, textContent: `${chapterOf[each]?.slice(0, 2)} ${each}` }));
-        return /\S {2,}\S|\t/.test(line.trim()) ? element("p", {}, element("span", { textContent: label }), element("code", { textContent: value }), ...by)
-            : element("p", { className: "whole", textContent: words.trim() });
+    function setHome(other) {
+        home = other;
+        mark.hidden = home !== null;
+        turn.textContent = home ? "From the eye" : "From beside";
+    }
+    /** From the eye itself a ray is a point: it is seen from elsewhere, and may be turned there. */
+    function turnAside() {
+        const before = home;
+        setHome(before ? null : view.view);
+        view.look(before ?? beside(view.view));
     }
 
     // ---- the page ----------------------------------------------------------------------------------
@@ -260,17 +268,17 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             tell("The link has no scene that can be read.");
         await follow();
     }
+    document.querySelector("#reset").after(button("Scene", () => {
+        details.open = !details.open;
+        if (narrow.matches)
+            showView("verdict");
+    }));
     // Beside the lesson, or on a phone below the verdict.
     const narrow = matchMedia("(max-width: 61.99rem)"), place = () => document.querySelector(narrow.matches ? ".verdict" : ".lesson").append(details);
     narrow.addEventListener("change", place);
     place();
     const open = () => { details.open = true; };
     document.querySelector("#editor").addEventListener("focusin", open, { once: true });
-    document.querySelector("#reset").after(button("Scene", () => {
-        details.open = !details.open;
-        if (narrow.matches)
-            showView("verdict");
-    }));
     if (/^#scene=/.test(location.hash))
         open();
     return { follow };

@@ -78,6 +78,36 @@ test("a scene beside the exercise", async (t) => {
         await tab.shot("live-scene-story");
         assert.deepEqual(await seriousFindings(tab), []);
     });
+    await t.test("its rays are drawn in the scene, with the numbers of the story, and seen from beside", async () => {
+        await tab.$$eval(".live-scene select", ([scenes]) => { scenes.value = "three-spheres"; scenes.dispatchEvent(new Event("change")); });
+        const put = (pixel) => tab.$eval(".live-scene input", (each, words) => { each.value = words; each.dispatchEvent(new Event("change")); }, pixel);
+        const drawn = () => tab.$eval(".stage svg", (svg) => ({ names: [...svg.querySelectorAll("line")].map((each) => each.getAttribute("class")).join(" "),
+            words: svg.textContent, ...Object.fromEntries([...svg.querySelectorAll("line")].map((each) => [each.getAttribute("class"), ["x1", "y1", "x2", "y2"].map((of) => Number(each.getAttribute(of)))])) }));
+        await fine("the three spheres", (now) => apart(reference, now) <= 1);
+        await put("185,55");
+        const { story } = await fine("its story", (now) => /\(185\.5, 55\.5\)/.test(now.story)), told = (label) => new RegExp(`${label}\\((.*?)\\)`).exec(story)[1].split(", ").map(Number);
+        // The eye is at (0, 0, 20) and looks along -z; 42 degrees are a picture's width.
+        const place = ([x, y, z]) => [x, -y].map((of) => of / (2 * (20 - z) * Math.tan(21 * Math.PI / 180)));
+        const point = told("point"), normal = told("normal"), light = told("from the point to it");
+        const { names, ray, normal: n, light: l } = await drawn(), isNear = (a, b) => a.every((each, i) => Math.abs(each - b[i]) < 1e-4);
+        assert.equal(names, "ray normal light mirror");
+        assert.ok(isNear(ray.slice(2), [(185.5 - 160) / 320, (55.5 - 120) / 320]), `from the eye, the ray ends in its pixel: ${ray}`);
+        assert.ok(isNear(n, [...place(point), ...place(point.map((x, i) => x + 0.12 * 2 * (20 - point[2]) * Math.tan(21 * Math.PI / 180) * normal[i]))]), `the normal is ${n}`);
+        assert.ok(isNear(l, [...place(point), ...place(point.map((x, i) => x + light[i]))]), `the light is ${l}`);
+        await tab.shot("live-scene-ray-from-eye", await tab.$(".live-scene"));
+        const before = await state(), turn = () => tab.press(".live-side > button");
+        await turn();
+        await fine("another viewpoint", (now) => apart(before, now) > 50);
+        const aside = await drawn();
+        assert.match(aside.words, /p, the eye.*screen.*p \+ t v/);
+        assert.ok(Math.hypot(aside.ray[2] - aside.ray[0], aside.ray[3] - aside.ray[1]) > 0.4, "the ray is seen");
+        assert.equal((await state()).story, before.story);
+        await tab.shot("live-scene-ray-from-beside", await tab.$(".live-scene"));
+        await put("160,120"); // in the shadow, and four mirrors
+        await waitFor("another ray", async () => /shadow mirror mirror mirror|light mirror mirror mirror/.test((await drawn()).names));
+        await turn();
+        await fine("the viewpoint before", (now) => apart(before, now) <= 1);
+    });
     let link;
     await t.test("a written scene has its errors at the line, and a link holds it", async () => {
         await tab.$$eval(".live-scene .actions button", (all) => all.find((each) => each.textContent === "Write").click());
