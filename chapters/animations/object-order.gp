@@ -44,7 +44,7 @@ plot @behind \
     $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     for [k=0:done-1] $sets every :::k::k using @point:4 with filledcurves closed fc rgb variable fs solid noborder \
         title "pixels", \
-    $grid using @point with @hair lc rgb faint title "grid", \
+    $grid using @point with @hair lc rgb grey title "grid", \
     $plane using @point with @lines lc rgb ink title "plane", \
     @before \
     for [_=0:ball_now] @lines_now @shown using @point with @hidden lc rgb blue title "lines to the eye, all of them", \

@@ -34,10 +34,10 @@ ink = dark ? "#e8eaed" : "#1a1c20"
 grey = dark ? "#9aa3ad" : "#626a73"
 faint = dark ? "#3c434b" : "#d0d6dc"
 surface = dark ? "#252b33" : "#edf1f5"
-blue = dark ? "#64b5f0" : "#0069a8"
+blue = dark ? "#45a6ed" : "#0069a8"
 orange = dark ? "#f79454" : "#b84a00"
-green = dark ? "#3ecb9c" : "#00775a"
-pink = dark ? "#e893c6" : "#a03a7c"
+green = dark ? "#48cea1" : "#005939"
+pink = dark ? "#eba3e0" : "#802e77"
 
 # ---- the canvas: 1 unit is 1/540 of its height, from the lower left, in every format -------------
 

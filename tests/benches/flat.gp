@@ -24,8 +24,8 @@ set key outside right center Left reverse samplen 1.5 spacing 1.1 tc rgb ink
 set grid lc rgb dark ? "#3c434b" : "#d0d6dc"
 names  = "bins tiles packet bvh object plain embree-user embree-16 povray"
 labels = "bins tiles packet bvh object plain 'Embree, callback' 'Embree, spheres' POV-Ray"
-colors = dark ? "#64b5f0 #f79454 #e0b83c #3ecb9c #e893c6 #e8eaed #c3c8ce #c3c8ce #9aa3ad" : \
-    "#0069a8 #b84a00 #8a6a00 #00775a #a03a7c #1a1c20 #4a5058 #4a5058 #626a73"
+colors = dark ? "#45a6ed #f79454 #e0b83c #48cea1 #eba3e0 #e8eaed #c3c8ce #c3c8ce #9aa3ad" : \
+    "#0069a8 #b84a00 #8a6a00 #005939 #802e77 #1a1c20 #4a5058 #4a5058 #626a73"
 filled(i) = int(word("7 5 9 13 11 15 7 5 13", i))
 color(i) = word(colors, i)
 # An engine's number in the list of names, and its block of data.

@@ -19,6 +19,7 @@ unset ANSWERS
 tests/house/figures/wrong_answers.py $scratch/python
 tests/house/figures/animations.py
 tests/house/figures/words.py
+tests/house/figures/colors.py
 TESTS
     printf '%s\n' tests/house/figures/mistaken.py tests/[0-9]*/figures.py
 } | nl >"$scratch/tests"

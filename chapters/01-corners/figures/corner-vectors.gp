@@ -8,7 +8,7 @@ Here d is %s, w is %s, h is %s."), \
 steps = 5
 
 plot $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @who $ahead index who using @vector with @arrow lc rgb pink dt dash(who) title "ahead", \
     @step2 @who $aside_left index who using @vector with @arrow lc rgb orange dt dash(who) title "aside left", \

@@ -8,7 +8,7 @@ steps = 3
 example = "for [_=wrong:0]"
 
 plot $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    $grid using @point with @hair lc rgb faint title "grid", \
+    $grid using @point with @hair lc rgb grey title "grid", \
     $plane using @point with @lines lc rgb ink title "plane", \
     @step3 @example $off using @vector with @thin_arrow lc rgb grey title "off by", \
     @who $answer index who using @vector with @arrow lc rgb (who == 0 ? blue : ink) dt dash(who) title "right", \

@@ -46,7 +46,7 @@ if (wrong) { set label 8 own("yours").": ".(narrow ? "" : your_center.math("(s, 
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step2 $square using @corners with filledcurves closed fc rgb blue fs transparent solid 0.35 noborder title "pixel", \
-    $grid using (U(1,$1)):(V(1,-$2)) with @hair lc rgb faint title "grid", \
+    $grid using (U(1,$1)):(V(1,-$2)) with @hair lc rgb grey title "grid", \
     $edges using (U(1,$1)):(V(1,-$2)) with @lines lc rgb ink title "edges", \
     $columns using (U(1,$1+0.5)):(top+18):(column_number($1)) with labels tc rgb ink title "columns", \
     $once using ((left+right_edge)/2):(top+48):(own("column")) with labels tc rgb grey title "column", \

@@ -20,7 +20,7 @@ white = "points pt 7 ps 0.9 lc rgb 'white'"
 plot @patches @behind \
     $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step6 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
-    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @before \
     @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \

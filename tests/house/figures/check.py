@@ -15,10 +15,15 @@ TITLE = 76  # the upper edge of the canvas, for a slide's title
 EDGE = 0.5  # so near to the canvas' edge, gnuplot has cut a line off
 
 
+def linear(color):
+    """Of red, green and blue from 0 to 255, as much light as they are, from 0 to 1."""
+    return [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in (c / 255 for c in color)]
+
+
 def luminance(color):
-    """Relative luminance of red, green and blue from 0 to 255, as WCAG 2 defines it."""
-    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in (c / 255 for c in color)]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    """Relative luminance, as WCAG 2 defines it."""
+    red, green, blue = linear(color)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def contrast(a, b):

@@ -1,4 +1,4 @@
-"""outputs.py - files of figures are what they should be, and the colors of the themes can be read.
+"""outputs.py - files of figures are what they should be.
 
 outputs.py FOLDER NAME..., in FOLDER/NAME/
 """
@@ -19,20 +19,6 @@ folder, names = sys.argv[1], sys.argv[2:]
 HEIGHT = 540
 WIDTHS = {"": 960, "-4x3": 720}
 LEGIBLE = 4.5
-
-
-def theme(name):
-    """The colors of common/figure/plot.gp, read by gnuplot itself."""
-    inks = ("ink", "grey", "blue", "orange", "green", "pink")
-    words = "; ".join(f'print "{each} ".{each}' for each in (*inks, "background", "surface"))
-    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; {words}"],
-                          capture_output=True, text=True, check=True, timeout=60)
-    colors = {each: color(code) for each, code in map(str.split, done.stderr.splitlines())}
-    for ink in inks:
-        for ground in ("background", "surface"):
-            ratio = contrast(colors[ink], colors[ground])
-            checks.that(f"{name}: {ink} can be read on {ground}", ratio >= LEGIBLE, f"{ratio:.2f} to 1")
-    checks.that(f"{name}: no two colors are one", len({tuple(colors[ink]) for ink in inks}) == len(inks))
 
 
 def extra(name):
@@ -94,8 +80,6 @@ def tex(path):
     checks.that(f"{path}: has labels", len(labels) > 0)
 
 
-theme("light")
-theme("dark")
 for name in names:
     with open(os.path.join(folder, name, name + ".txt"), encoding="utf-8") as file:
         first, _, rest = file.read().partition("\n")
