@@ -156,6 +156,7 @@ const STYLE = `
 :host { display: block; }
 .canvas { position: relative; touch-action: pan-y; }
 .drawing svg { display: block; width: 100%; height: auto; }
+.lit { stroke: var(--lit, #ffd9a8); stroke-width: 8px; paint-order: stroke; }
 .handle { position: absolute; width: 44px; height: 44px; margin: -22px 0 0 -22px; padding: 0; border: 0; border-radius: 50%;
     background: transparent; cursor: grab; touch-action: none; }
 .handle::before { content: ""; position: absolute; inset: 11px; border-radius: 50%; border: 2px solid var(--blue, #0069a8); opacity: 0.45;

@@ -4,6 +4,7 @@ import { answersIn, download, openAnswers, writableStorage } from "./answers.js"
 import { setUpExercise } from "./exercise.js";
 import { setUpFigures } from "./figures.js";
 import { Helper } from "../worker_questions.js";
+import { setUpLetters } from "./letters.js";
 import { keepForOffline, takeNewVersion } from "./offline.js";
 
 /* global COURSE */
@@ -204,6 +205,7 @@ if (kind === "start")
 if (kind === "mistakes")
     import("./mistakes.js").then(({ setUpMistakes }) => setUpMistakes({ site, course, answers, showTrouble })).catch((reason) => showTrouble(`${reason.message}.`));
 if (kind === "chapter") {
+    setUpLetters(document.querySelector(".lesson"));
     setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict: () => showProgress(course) });
 }
 globalThis.takeEarlyClicks(); // early.js

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import test from "node:test";
-import { begin, browserName, seriousFindings, waitFor } from "../site.mjs";
+import { begin, browserName, replaceText, seriousFindings, waitFor } from "../site.mjs";
 
 const { openPage } = await begin();
 
@@ -150,4 +150,35 @@ test("live figures, by mouse, finger, key and number", async () => {
         assert.deepEqual(phone.faults, []);
         await phone.close();
     }
+});
+
+test("a letter of a formula lights up in formulas, figure and code", async () => {
+    const tab = await open("05-quadratic", "ray-sphere", { width: 1440, height: 900 });
+    await replaceText(tab, "// the ray's origin\nvec3 f(Ray ray, Ray moved_ray, double radius)\n{\n    return ray.origin + moved_ray.origin * radius * r;\n}\n");
+    const lit = () => tab.evaluate((at) => ({ formulas: [...document.querySelectorAll(".lesson .lit")].map((each) => each.textContent),
+        figure: [...document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelectorAll(".lit")].map((each) => each.textContent).join(),
+        code: [...CSS.highlights.get("lit") ?? []].filter((range) => range.startContainer.getRootNode() !== document).map(String).join() }), place("ray-sphere"));
+    const point = async (letter) => {
+        const formulas = await tab.$$(".lesson p .katex-html .mathnormal");
+        for (const each of formulas)
+            if (await each.evaluate((it, wanted) => it.textContent === wanted && it.nextSibling === null, letter)) {
+                await each.evaluate((it) => it.scrollIntoView({ block: "center", behavior: "instant" }));
+                await each.hover();
+                return lit();
+            }
+    };
+    const p = await point("p");
+    assert.ok(p.formulas.length > 10 && p.formulas.every((each) => each === "p"), `formulas: ${p.formulas}`);
+    assert.equal(p.figure, "p,p");
+    assert.equal(p.code, "ray.origin,moved_ray.origin"); // the comment is words
+    assert.equal((await point("r")).code, "radius,radius,r");
+    await tab.shot("letter", tab);
+    await tab.hover("h1");
+    assert.deepEqual(await lit(), { formulas: [], figure: "", code: "" });
+    await tab.$$eval(".lesson details", (all) => all.forEach((each) => { each.open = true; }));
+    await tab.focus(".mathematics");
+    await tab.keyboard.press("v");
+    assert.equal((await lit()).figure, "v,v");
+    assert.deepEqual(await seriousFindings(tab), []);
+    assert.deepEqual(tab.faults, []);
 });
