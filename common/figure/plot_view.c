@@ -813,7 +813,8 @@ static void write_both(FILE *out, const char *name, int number, double wide, dou
     fprintf(out, "%s", name);
     if (number > 0)
         fprintf(out, "[%d]", number);
-    fprintf(out, " = shape eq \"4:3\" ? %.6f : %.6f\n", narrow, wide);
+    fprintf(out, " = shape eq \"4:3\" ? %s : %s\n", gnuplot_number(narrow).s,
+            gnuplot_number(wide).s);
 }
 
 // A line's text as an expression of gnuplot: "".math("d")." = ".d_text
@@ -1017,8 +1018,9 @@ void plot_view_print(const Plot *plot, FILE *out)
     const PlotView *view = plot->view;
     int shape = shape_of(view);
     for (int panel = 1; view->looks && panel < PANELS; panel++)
-        fprintf(out, "%.9g,%.9g,%.9g;", view->size[shape][panel], view->zero_u[shape][panel],
-                view->zero_v[shape][panel]);
+        fprintf(out, "%s,%s,%s;", gnuplot_number(view->size[shape][panel]).s,
+                gnuplot_number(view->zero_u[shape][panel]).s,
+                gnuplot_number(view->zero_v[shape][panel]).s);
 }
 
 bool plot_view_is_held(const Plot *plot)
