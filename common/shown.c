@@ -27,9 +27,9 @@ static int larger(int a, int b)
 
 static int digits_of(double x, int digits)
 {
-    int before_point = (int)floor(log10(fabs(x))) + 1;
-    if (before_point > MOST_POWER + 1)
-        before_point = 0;
+    int power = (int)floor(log10(fabs(x))), before_point = power + 1;
+    if (power < LEAST_POWER || power > MOST_POWER)
+        return digits;
     return has_only(x, larger(digits, SHORT)) ? larger(digits, SHORT)
                                               : larger(digits, before_point);
 }

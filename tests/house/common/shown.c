@@ -52,6 +52,7 @@ TEST(number_shown, very_large_and_very_small_numbers_have_a_power_of_ten)
 {
     expect_shown(1.2e-6, "1.2 \u00b7 10\u207b\u2076");
     expect_shown(-1e-6, "\u221210\u207b\u2076");
+    expect_shown(2.50609e-6, "2.506 \u00b7 10\u207b\u2076");
     expect_shown(0.0001, "0.0001");
     expect_shown(0.00009999996, "0.0001");
     expect_shown(1e10, "10\u00b9\u2070");

@@ -8,11 +8,12 @@ NUMBER = r"(?<![\w.,])−?(?:10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+|(?:\d{1,3}(?:,\
 
 
 def shown(x, digits=4):
-    """All digits, if it has at most 6; else at least so many, and those before the point."""
+    """All digits, if it has at most 6; else at least so many, and those before the point. So many beside a power of 10."""
     short = f"{x:.{max(digits, 6) - 1}e}"
-    if abs(float(short) - x) > 1e-9 * abs(x):
-        whole = len(str(int(abs(x))))
-        short = f"{x:.{max(digits, whole if abs(x) >= 1 and whole <= 7 else 0) - 1}e}"
+    if x and not 1e-4 <= abs(x) < 1e7:
+        short = f"{x:.{digits - 1}e}"
+    elif abs(float(short) - x) > 1e-9 * abs(x):
+        short = f"{x:.{max(digits, len(str(int(abs(x)))) if abs(x) >= 1 else 0) - 1}e}"
     value = Decimal(short).normalize()
     minus, value, power = "−" if value < 0 else "", abs(value), value.adjusted()
     if value and not -4 <= power <= 6:
