@@ -8,7 +8,7 @@ axis, the ray and the circle.")." ", first_text, first_text eq "" ? "" : " ", se
     roots == 0 ? sprintf(own("The parabola stays above the axis, and the line misses the circle. At the lowest point, t = %s, f is %s."), \
         t_nearest_text, f_nearest_text) : \
     touches ? sprintf(own("The parabola touches the axis, and the line touches the circle, at t = %s."), t0_text) : \
-    sprintf(own("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s."), t0_text, t1_text))
+    sprintf(own("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s."), t0_text, t1_text)).arrow_words(stride)
 steps = 4
 if (wrong) { set label 99 squares_are_yours }
 

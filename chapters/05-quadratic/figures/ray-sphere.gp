@@ -7,7 +7,7 @@ r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, a
     roots == 0 ? sprintf(own("no hit. The line is closest to C at t = %s, at a distance of %s."), t_nearest_text, away_text) : \
     touches ? sprintf(own("the line touches the circle at t = %s."), t0_text) : \
     sprintf(own("the line meets the circle at t0 = %s and t1 = %s."), t0_text, t1_text)).( \
-    hit > 0 ? sprintf(" ".own("The hit is at t = %s."), hit_text) : roots > 0 ? " ".own("No hit is in front of p.") : "")
+    hit > 0 ? sprintf(" ".own("The hit is at t = %s."), hit_text) : roots > 0 ? " ".own("No hit is in front of p.") : "").arrow_words(stride)
 steps = 5
 if (wrong) { set label 99 squares_are_yours }
 

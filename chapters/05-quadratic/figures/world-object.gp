@@ -4,11 +4,11 @@ count(at) = value(at."_roots")
 root(at, i) = value(sprintf("%s_t%d_text", at, i))
 plain(at) = count(at) == 0 ? own("no root") : root(at, 0)." ".own("and")." ".root(at, 1)
 title = own("World and object coordinates")
-description = sprintf(own("Left, in the world: a ray from %s along %s, and a sphere of radius %s around C = %s. Its equation \
+description = sprintf(own("Left, in the world: a ray from %s along %s, and a sphere of radius %s around C = %s%s. Its equation \
 |(p + t v) − C|² = r² has a = %s, b = %s, c = %s, and roots: %s. Right, moved by −C: the ray starts at %s, and the sphere is \
-around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s."), origin_text, velocity_text, r_text, center_text, \
+around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s."), origin_text, velocity_text, r_text, center_text, near_origin ? "" : ", ".own("from (0, 0, 0)"), \
     world_a_text, world_b_text, world_c_text, plain("world"), object_p_text, object_a_text, object_b_text, object_c_text, \
-    plain("object"))
+    plain("object")).arrow_words(stride)
 steps = 4
 if (wrong) { set label 99 squares_are_yours }
 
