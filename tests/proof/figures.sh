@@ -1,7 +1,7 @@
 #!/bin/sh
 # figures.sh - figures of 500 cameras in each of four chapters, of 500 rays and scenes in two, from 1e-6 to 1e6 (fewer
-# with MOST_CAMERAS and MOST_SCENES); of all known mistakes (with MISTAKES=10 each tenth); and all files that make
-# figures makes (with STEPS_OF=N, the steps of N figures).
+# with MOST_CAMERAS and MOST_SCENES); all figures of 500 examples (MOST_EXAMPLES); those of all known mistakes (with
+# MISTAKES=10 each tenth); and all files that make figures makes (with STEPS_OF=N, the steps of N figures).
 # Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
@@ -10,6 +10,14 @@ once 'figures, long' "hundreds of figures of each kind"
 needs 'figures, long' 'figures' gnuplot python3
 
 CAMERAS=${MOST_CAMERAS:-500} SCENES=${MOST_SCENES:-500} MISTAKES=${MISTAKES:-1} counted sh tests/house/figures.sh random
+
+export PROGRAMS PYTHONPATH=tests/house/figures
+# shellcheck disable=SC2016 # the inner shell expands them
+seq 1000 10 $((999 + ${MOST_EXAMPLES:-500})) | xargs -P "$(getconf _NPROCESSORS_ONLN)" -n 1 \
+    sh -c 'python3 -B tests/proof/example_figures.py "$1" 10 >"$0-$1" 2>&1' "$scratch/examples"
+for log in "$scratch"/examples-*; do
+    counted cat "$log"
+done
 
 # Draws by the rules of the environment; prints its output.
 drawn=$scratch/figures

@@ -6,7 +6,7 @@
     random_example.py NUMBER --slides    numbers that the slides must have then, as JSON writes them
 
 The results are found in another way than the chapters find them, and in another language: by the geometry of the
-chord. NUMBER 0 is the deck's example.
+chord. NUMBER 0 is the deck's example; from 1000 on, numbers are from 1e-6 to 1e6.
 """
 import math
 import re
@@ -60,6 +60,20 @@ def rounded(x, step):
     return float(f"{round(x / step) * step:.6g}")
 
 
+def spread(e, chance):
+    """The camera and the ray in units of their own, and far from the origin or near to it."""
+    def units(smallest, largest):
+        return 10 ** chance.uniform(math.log10(smallest), math.log10(largest))
+    size = max(e.d, e.w, e.h)
+    one = units(1e-6 / min(e.d, e.w, e.h), 1e6 / size)
+    e.d, e.w, e.h = (float(f"{one * x:.6g}") for x in (e.d, e.w, e.h))
+    e.eye = [float(f"{x:.6g}") for x in times(min(1e6, one * size * units(1e-3, 1e5)), unit(plus(e.eye, (0.1, 0, 0))))]
+    one, faster = units(1e-6, 1e4), units(1e-3, 1e3)
+    ahead, off = times(one, plus(e.p, e.center, -1)), min(1e5, one * units(1e-3, 1e4))
+    e.center = [float(f"{x:.6g}") for x in times(off, e.center)]
+    e.p, e.v, e.radius = list(plus(e.center, ahead)), list(times(one * faster, e.v)), one * e.radius
+
+
 def example_number(number):
     """d, w, h: distance, width, height of the camera; columns, rows: the screen; x, y: a point on it; p, v: the ray."""
     if number == 0:
@@ -89,6 +103,8 @@ def example_number(number):
         if math.hypot(*ahead) >= 1.5 * e.radius and length >= 0.3 and dot(ahead, e.v) >= 0 and \
                 math.hypot(*cross(ahead, e.v)) <= 0.9 * e.radius * length:
             break
+    if number >= 1000:
+        spread(e, chance)
     # Some sentences have other words for a unit arrow, for a distance of 1, and on a large screen.
     if number % 4 == 1:
         e.v = unit(e.v)
@@ -119,18 +135,23 @@ def options(**given):
     return " ".join(f"--{name} {','.join(exact(*numbers))}" for name, numbers in given.items())
 
 
-def print_figures(e):
+def figures_of(e):
+    """The figures that follow the example, each with the options that give it these numbers."""
     camera = options(eye=e.eye, right=e.right, up=e.up, forward=e.forward, distance=[e.d], width=[e.w], height=[e.h])
     ray = options(origin=e.p, direction=e.v, center=e.center, radius=[e.radius])
     size = f"--size {e.columns}x{e.rows}"
     for figure in ("camera-frame", "corner-vectors", "point-30-10", "double-dwh", "yours-and-right"):
-        print(f"01-corners {figure} {options(s=[e.s], t=[e.t])} {camera}")
+        yield f"01-corners {figure} {options(s=[e.s], t=[e.t])} {camera}"
     for figure in ("camera-forms", "look-at"):
-        print(f"02-cameras {figure} {camera}")
-    print(f"03-screen screen-to-unit {size} --point {e.x},{e.y}")
-    print(f"04-pixel-ray pixel-to-ray {size} --pixel {e.x},{e.y} {camera}")
+        yield f"02-cameras {figure} {camera}"
+    yield f"03-screen screen-to-unit {size} --point {e.x},{e.y}"
+    yield f"04-pixel-ray pixel-to-ray {size} --pixel {e.x},{e.y} {camera}"
     for figure in ("ray-sphere", "parabola", "discriminant", "world-object", "geometric-roots"):
-        print(f"05-quadratic {figure} {ray}")
+        yield f"05-quadratic {figure} {ray}"
+
+
+def print_figures(e):
+    print("\n".join(figures_of(e)))
 
 
 # ---- what the lessons must hold ---------------------------------------------------------------------
@@ -227,4 +248,5 @@ def print_slides(e):
 
 
 PRINT = {(): print_file, ("--lessons",): print_lessons, ("--figures",): print_figures, ("--slides",): print_slides}
-PRINT[tuple(sys.argv[2:])](example_number(int(sys.argv[1])))
+if __name__ == "__main__":
+    PRINT[tuple(sys.argv[2:])](example_number(int(sys.argv[1])))

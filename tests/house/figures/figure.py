@@ -18,6 +18,7 @@ from shown import NUMBER
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
+LETTER = r"[^\W\d_⁰¹²³⁴⁵⁶⁷⁸⁹]"
 PROGRAMS = os.environ.get("PROGRAMS", "build/solutions")
 
 
@@ -102,9 +103,9 @@ class Text:
 
     def numbers(self):
         """The numbers that it shows, as it shows them; not those of formulas: w/2, 2 d, ½, 1/2."""
-        data = re.sub(r"[^\W\d_]\s?/\s?\d+|\)\s?/\s?\d+|\b1/2\b", " ", self.plain)
-        data = re.sub(r"\b\d+(?:\.\d+)?\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
-        data = re.sub(r"\b\d+(?=[^\W\d_]{2}(?!\w))", " ", data)  # 4ac
+        data = re.sub(rf"{LETTER}\s?/\s?\d+|\)\s?/\s?\d+|\b1/2\b", " ", self.plain)
+        data = re.sub(rf"(?<![\d,.])\d+(?:\.\d+)?\s?(?={LETTER}(?!{LETTER}))", " ", data)
+        data = re.sub(rf"\b\d+(?={LETTER}{{2}}(?!\w))", " ", data)  # 4ac
         return re.findall(NUMBER, data)
 
 
