@@ -54,10 +54,20 @@ def mathematics(text):
     return f"${before}{known(inside)}{after}$"
 
 
+# Not of a name, a mark of gnuplot's or an exponent: 12,345.6, (1, −2, 0.5).
+NUMBER = r"−?\d+(?:[.,]\d+)*"
+NUMBERS = re.compile(rf"(?<![\w.*^{{]){NUMBER}|\({NUMBER}(?:, {NUMBER})+\)")
+
+
+def number(found):
+    """In the font of formulas. A comma before a space separates; another one is part of a number."""
+    return "$" + re.sub(r",(?! )", "{,}", found[0]) + "$"
+
+
 def label(text):
     """Text, and mathematics between two $. Of two spaces LaTeX would leave one. A number's sign is a minus."""
     parts = re.sub(r"(?<![\w.)])-(?=[\d.])", "−", text).split("$")
-    parts[::2] = [MARKS.sub(mark, part).replace("  ", "~ ") for part in parts[::2]]
+    parts[::2] = [MARKS.sub(mark, NUMBERS.sub(number, part)).replace("  ", "~ ") for part in parts[::2]]
     parts[1::2] = [mathematics(part) for part in parts[1::2]]
     return "".join(parts)
 

@@ -78,6 +78,8 @@ def tex(path):
     checks.that(f"{path}: needs no letters that LaTeX lacks", "".join(lines).isascii())
     labels = re.findall(r"\\strut\{\}(.*?)\}\}%", "".join(lines))
     checks.that(f"{path}: has labels", len(labels) > 0)
+    words = [re.sub(r"\$[^$]*\$|\\[a-z]+\{[^{}]*\}", " ", label) for label in labels]
+    checks.that(f"{path}: numbers have the font of formulas", not re.search(r"\b\d", " ".join(words)), str(words))
 
 
 for name in names:
