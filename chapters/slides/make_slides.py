@@ -63,10 +63,11 @@ class Slides:
         return f"{{{dot.join(shown)}}}{{{dot.join(where)}}}"
 
     def page_items(self, slide, count):
-        """What a page shows; a narrow slide has only room for the first page's words and the newest ones."""
+        """What a page shows; a narrow slide has only room for the newest words, and the question before them."""
         if self.wide or not (slide.figure or slide.picture):
             return slide.items(count)
-        return slide.items(1) + (slide.pages[count - 1].items if count > 1 else [])
+        asked = [[each for each in page.items if each.kind == "question"] for page in slide.pages[:count - 1]]
+        return next(filter(None, reversed(asked)), []) + slide.pages[count - 1].items or slide.items(count)
 
     def page(self, slide, count, figures, theme):
         """The page after so many steps of a slide."""
@@ -129,9 +130,13 @@ class Slides:
     def handout(self):
         return "".join(rf"\halfsheet{{{last}}}" + "\n" for _, last, _ in self.last_pages())
 
+    @staticmethod
+    def tasks(slide):
+        return "".join(rf"{words(each.text)}\par " for each in slide.items(len(slide.pages)) if each.kind == "question")
+
     def questions(self):
         asked = [each for each in self.last_pages() if each[0].asks()]
-        return "".join(rf"\asked{{{unanswered}}}" + "\n" for _, _, unanswered in asked) + "\\answers\n" + \
+        return "".join(rf"\asked{{{unanswered}}}{{{self.tasks(slide)}}}" + "\n" for slide, _, unanswered in asked) + "\\answers\n" + \
             "".join(rf"\smallanswer{{{last}}}" + "\n" for _, last, _ in asked)
 
     def notes(self):

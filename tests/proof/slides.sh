@@ -162,6 +162,7 @@ after_questions() {
     ! before_answers "$1" && contains wide-questions "$1"
 }
 check 'it has the questions' before_answers 'Equation to solve?'
+check 'also those that come after an answer' before_answers 'And for any place'
 for answer in 'depth buffer' 'its direction stays' 'the handedness of the world' 'not sizes but places' 'Solve for' \
     'Much simpler in' 'is the hit' 'how the surface scatters'; do
     check "'$answer' is among the answers at its end" after_questions "$answer"
