@@ -19,10 +19,6 @@ fresh() {
 blank() {
     cp "build/blanks/$1.c" "$answers"
 }
-state_is() {
-    course status EX="$1"
-    says "$2	$3"
-}
 # A program in the list of processes that has these words, which begin with 'build'.
 is_running() {
     grep -lz -- "[b]${1#b}" /proc/[0-9]*/cmdline 2>/dev/null | grep -q .
