@@ -118,16 +118,12 @@ $(TRIALS): $(JUDGING) $(REFERENCES) $(MUTANTS) $(B)/tests/proof/generated/try_mu
 		$(TABLES) $(foreach seed,$(OTHER_SEEDS),$(STEMS:%=$(B)/tables/seed-$(seed)/%.table))
 	$(link_program)
 
-# Every engine of chapter 08 against chapters 06 and 07: scenes that are made, and files; what memory it takes; and by
-# answers that are not the solutions.
-ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures other_answers)
-$(B)/tests/house/engines/same_pictures: $(B)/tests/house/engines/scenes.o
-$(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
-		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+# Every engine of chapter 08 against chapters 06 and 07: scenes that are made, and files.
+ENGINES := $(B)/tests/house/engines/same_pictures
+$(ENGINES): %: %.o $(B)/tests/house/engines/scenes.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) \
+		$(B)/chapters/shared.a $(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(PNG_LIBS) -lm -pthread
-$(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_normal offset_from_surface mirror_direction \
-	ray_to_light shade clamp_color
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 # The deck's figures by known mistakes: a program for each chapter that has figures.
 SWITCHED := $(STEMS:%=$(B)/tests/switched/%.o)

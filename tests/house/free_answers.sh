@@ -1,6 +1,7 @@
 #!/bin/sh
 # free_answers.sh - answers that are right and use the freedom of their contracts make the same pictures and figures as
-# the reference: a ray's direction of length 3, and the slides' formulas for roots, which round in another way.
+# the reference: a ray's direction of length 3, and the slides' formulas for roots, which round in another way. And chapter
+# 08's shaded pictures are those of the answers, not of the formulas that its engines know.
 # Builds only below its answers.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
@@ -63,4 +64,37 @@ no_figure_differs() {
     done
 }
 check 'and no figure calls them wrong' no_figure_differs
+
+# ---- 08 draws what the answers say ----------------------------------------------------------------
+
+# Each function that the engines compute many at a time is changed, so that it shows.
+three=chapters/06-ray-casting/three-spheres.nff
+shaded() { # PROGRAM ARGUMENTS...
+    program=$1
+    shift
+    "$free/$program" "$@" --depth 2 -s 80x60 -o "$scratch/$program.png" $three >"$scratch/said" 2>&1
+}
+cp solutions/*.c "$answers"
+follows() { # STEM SED
+    sed "$2" "solutions/$1.c" >"$answers/$1.c" && ! cmp -s "solutions/$1.c" "$answers/$1.c" &&
+        make -s ANSWERS="$answers" "$free/07-shading" "$free/08-fast" >"$scratch/said" 2>&1 &&
+        shaded 07-shading && shaded 08-fast --shaded && cmp "$scratch/07-shading.png" "$scratch/08-fast.png" &&
+        ! same_picture "$scratch/right-shaded.png" "$scratch/08-fast.png"
+    status=$?
+    cp "solutions/$1.c" "$answers"
+    return $status
+}
+"$right/07-shading" --depth 2 -s 80x60 -o "$scratch/right-shaded.png" $three >"$scratch/said" 2>&1
+while read -r stem name sed; do
+    check "with another $name, 08's shaded picture is 07's" follows "$stem" "$sed"
+done <<'CHANGES'
+05-quadratic hit_sphere s/return roots.t.i.;/return 0.99 * roots.t[i];/
+07-shading surface_normal s/vec3_unit(point - sphere.center)/vec3_unit(point - sphere.center + vec3_of(0, 0.1, 0))/
+07-shading offset_from_surface s/0x1p-30/0.01/
+07-shading mirror_direction s/direction - 2 /direction - 1.9 /
+07-shading ray_to_light s/: light.position - from/: light.position + vec3_of(1, 0, 0) - from/
+07-shading shade s/phong_term(surface/halfway_term(surface/
+07-shading ambient s/    return sum;/    return 0.9 * sum;/
+07-shading clamp_color s/fmin(1, fmax(0, color.i.))/color[i] \/ (1 + color[i])/
+CHANGES
 finish free_answers
