@@ -27,7 +27,7 @@ place_y(side, r) = V(1, side) - (abs(V(1, side) - on_ray) < 24 ? size[1] * r * 0
 fate = asked < 0 ? -1 : 0
 hit_t = 0
 stats $circles index 0 using (is_asked($1) && $4 < 1e8 ? (fate = int($6), hit_t = $9, 1) : 0) nooutput
-mathless(s) = math("t")." = ".two(s)
+mathless(s) = math("t")." = ".shown(s)
 first_line = asked < 0 ? (answered && best_ball >= 0 ? own("the closest hit colors the pixel") : own("of all answers the smallest")." ".math("t")." > 0") : \
     own("sphere")." ".ball_name(asked).": ".(!answered ? own("where does the ray meet it?") : fate == 0 ? own("the ray misses it") : \
     fate == 1 ? math("t")." < 0, ".own("it is behind the eye") : own("hit at")." ".mathless(hit_t))

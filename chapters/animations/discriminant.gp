@@ -31,7 +31,7 @@ p_x = U(1, of("x"))
 p_y = V(1, of("y"))
 words_x = width * 0.66
 # Large, so that its small digits are as large as other words.
-t_words(name, t) = large(math(name)." = ".two(t))
+t_words(name, t) = large(math(name)." = ".shown(t))
 
 plot $circle using (U(1,$1)):(V(1,$2)) with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     $circle using (U(1,$1)):(V(1,$2)) with @lines lc rgb ink title "circle", \
@@ -57,12 +57,12 @@ plot $circle using (U(1,$1)):(V(1,$2)) with filledcurves closed fc rgb surface f
     $once using (right + 22):(axis_y):(math("t")) with labels tc rgb grey title "axis, label", \
     $once using (words_x):(height * 0.86):(large(names[case])) with labels left tc rgb ink title "case", \
     $once using (words_x):(height * 0.74):(large(math("b^2 − 4 a c").sign)) with labels left tc rgb ink title "sign", \
-    $once using (words_x):(height * 0.64):(large("= ".two(D))) with labels left tc rgb ink title "discriminant", \
+    $once using (words_x):(height * 0.64):(large("= ".shown(D))) with labels left tc rgb ink title "discriminant", \
     $once using (words_x):(height * 0.50):(roots == 0 ? own("no root") : case == 2 ? own("one root") : own("two roots")) \
         with labels left tc rgb ink title "number of roots", \
     $once using (words_x):(height * 0.40):(roots == 0 ? "" : t_words(case == 2 ? "t_0 = t_1" : "t_0", of("t0"))) \
         with labels left tc rgb (case > 3 ? grey : blue) title "first root", \
     $once using (words_x):(height * 0.30):(roots == 0 || case == 2 ? "" : t_words("t_1", of("t1"))) \
         with labels left tc rgb (case == 3 ? ink : case == 4 ? blue : grey) title "second root", \
-    $once using (words_x):(height * 0.16):(case == 1 || case == 5 ? own("no hit") : own("hit").": ".math("t")." = ".two(of("hit"))) \
+    $once using (words_x):(height * 0.16):(case == 1 || case == 5 ? own("no hit") : own("hit").": ".math("t")." = ".shown(of("hit"))) \
         with labels left tc rgb (case == 1 || case == 5 ? grey : blue) title "verdict"

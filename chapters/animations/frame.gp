@@ -24,8 +24,8 @@ flat = 'flat_w = width * (word(room, 2) - word(room, 1)); flat_h = height * (wor
     size[panel] = least(flat_w / (high_x - low_x), flat_h / (high_y - low_y)); \
     zero_x[panel] = width * (word(room, 1) + word(room, 2)) / 2 - size[panel] * (low_x + high_x) / 2; \
     zero_y[panel] = height * (word(room, 3) + word(room, 4)) / 2 - size[panel] * (low_y + high_y) / 2'
-# A number in a text that moves: always two decimals, and a minus sign.
-two(x) = (x < -0.005 ? "−" : "").sprintf("%.2f", abs(x))
+# A number in a text that moves, as figures show it when it rests: at most three decimals, and a minus sign.
+shown(x) = (x < -0.0005 ? "−" : "").sprintf("%.4g", floor(1000 * abs(x) + 0.5) / 1000.0)
 # A number in a row of a block: $name[k + 1] is row k, after the comment in its first line.
 cell(row, column) = real(word(row, column))
 whole(row, column) = int(cell(row, column))

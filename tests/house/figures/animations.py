@@ -12,6 +12,7 @@ import tempfile
 
 from check import Checks, on_the_canvas
 from figure import Figure, PROGRAMS, SVG, dot, numbers, plus, times
+from shown import shown
 
 checks = Checks("animations")
 folder = tempfile.TemporaryDirectory()
@@ -180,6 +181,7 @@ def closest_hit(world):
     checks.that("closest hit: and names its sphere", int(moments[-1][3]) == sphere)
     checks.that("closest hit: it never moves away again", all(
         not b[2] > a[2] for a, b in zip(moments, moments[1:]) if a[3] >= 0))
+    checks.shows(figure, f"closest hit: t = {round(wanted, 3):.4g}, sphere {'ABCD'[sphere]}")
     eye, tip, mark = figure.dots("eye")[0], figure.tips("v")[0], figure.dots("closest so far, hit")[0]
     checks.near("closest hit: the mark of the last frame is at that t", [mark],
                 (eye[0] + wanted * (tip[0] - eye[0]), eye[1]), 1)
@@ -208,6 +210,10 @@ def discriminant():
         checks.that(f"discriminant: the frames from {first:g} to {last:g} show: {name}",
                     name in [label for label, _, _ in at.labels()], str(at.labels()))
         large_enough(f"discriminant, {name}", at)
+        still = Figure("05-quadratic", "discriminant")
+        for i in range(2 if name in ("two hits", "inside", "behind") else 0):
+            t = shown(still.number(f"panel{names.index(name) + 1}_t{i}"))
+            checks.shows(at, f"t{i} = {t}")
 
 
 random_world = World()
