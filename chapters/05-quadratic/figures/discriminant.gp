@@ -31,7 +31,7 @@ root(i, k) = of(i, "roots") == 0 ? (k == 0 ? own("no root") : "") : of(i, sprint
 root_color(i, k) = of(i, "roots") == 0 ? grey : of(i, sprintf("t%d", k)) == of(i, "hit") ? blue : of(i, sprintf("t%d", k)) > 0 ? ink : grey
 hit_shown(i) = of(i, "hit") > 0 ? of(i, "hit_text") : own("none")
 
-plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead lw 0.8 lc rgb faint title "between", \
+plot for [i=1:4] @one using (left_of(i + 1)):(104):(0):(356) with vectors nohead lw 0.8 lc rgb faint title "between", \
     @one using (margin):(418):(math("b²−4ac")) with labels left tc rgb ink title "row of the discriminant", \
     @one using (margin):(axis + 50):(math("f (t)")) with labels left tc rgb ink title "row of f", \
     @one using (margin):(84):(math("t_0")) with labels left tc rgb ink title "row of t0", \
