@@ -63,6 +63,11 @@ class LecturePage:
         lines = "".join("<p>" + (f"<b>{label}:</b> " if label else "") + f"{words(text)}</p>" for label, text in slide.notes)
         return f'<aside class="notes" hidden>{lines}</aside>'
 
+    @staticmethod
+    def practice(slide):
+        said, chapter = escape(slide.practised_by()), next(Path("chapters").glob(f"{slide.exercise[:2]}-*/"), None)
+        return f'<a href="{chapter.name}.html#exercise">{said}</a>' if said.startswith("Exercise ") and chapter else said
+
     def page(self, slide, count):
         page, number = slide.pages[count - 1], "question" if slide in self.questions else f"{slide.number} of {len(self.lecture.slides)}"
         now = len(slide.items(count))
@@ -70,7 +75,8 @@ class LecturePage:
         shown = self.picture(slide, page.step) if slide.figure or slide.picture else ""
         layout = "full" if not shown else "below" if slide.below else "beside"
         title = f"<h1>{words(self.lecture.title)}</h1>" if slide is self.lecture.slides[0] else f"<h2>{words(slide.title)}</h2>"
-        left = " · ".join(filter(None, [escape(slide.practised_by()), "added to the deck" * slide.added]))
+        left = " · ".join(filter(None, [self.practice(slide), "added to the deck" * slide.added])) + \
+            f'<a href="figures.html#{slide.figure}"> · figure</a>' * bool(slide.figure)
         address = slide.name + (f"/{count}" if count > 1 else "")
         data = f'data-name="{slide.name}" data-slide="{number.split()[0]}" data-page="{count}" data-pages="{len(slide.pages)}" ' \
             f'data-minutes="{slide.minutes}"' + (f' data-film="{slide.film}"' if slide.film else "")

@@ -121,17 +121,24 @@ write("course.webmanifest", JSON.stringify({ name: "Ray casting, step by step", 
 const inline = (text) => text.replace(/`([^`]*)`/g, "<code>$1</code>");
 
 /** A lesson begins with what it gives and the picture that it leads to; the lecture's questions are below that, folded. */
-function withOpening({ html, gives, time }) {
+function withOpening({ html, gives, time }, stem) {
     const at = html.indexOf("<h2"), take = (pattern) => pattern.exec(html.slice(0, at))?.[0] ?? "";
     const title = take(/<h1.*?<\/h1>/s), asked = take(/<blockquote>.*<\/blockquote>/s), about = take(/<div class="table".*?<\/table><\/div>/s);
     const goal = /id="the-picture-that-your-code-draws".*?(<img [^>]*>)/s.exec(html)[1].replace(/ loading="lazy"| class="picture"/g, "")
         .replace(/width="(\d+)" height="(\d+)"/, (_, width, height) => `width="${Math.round(Math.min(208, 168 * width / height))}" height="${Math.round(Math.min(168, 208 * height / width))}"`);
     const rest = [title, asked, about].reduce((text, each) => text.replace(each, ""), html);
     return `<header class="opening"><div>${title}
-<p>You write ${inline(escape(gives.split(";")[0]))}. <small>${escape(time.split(";")[0])}.</small></p>
+<p>You write ${inline(escape(gives.split(";")[0]))}. <small>${escape(time.split(";")[0])}.${isHandout ? "" : ` <a href="lecture.html#${slideWith(new RegExp(`data-figure=.*"${stem}.html#exercise"`, "s"))}">Its slides</a>.`}</small></p>
 <details><summary>The lecture's questions</summary>${asked}${about}</details></div>
 <a href="#the-picture-that-your-code-draws">${goal}</a></header>\n${rest}`;
 }
+
+// ---- the slides ---------------------------------------------------------------------------------
+
+const slides = isHandout ? "" : typeset(readFileSync(lectureFile, "utf8"));
+const onSlides = [...new Set([...slides.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
+/** The first slide that has this. */
+const slideWith = (pattern) => slides.split("<section ").find((each) => pattern.test(each)).match(/ data-name="([^"]*)"/)[1];
 
 // ---- a chapter ----------------------------------------------------------------------------------
 
@@ -183,7 +190,7 @@ for (const stem of stems) {
     write(`${stem}.html`, frame({ title: `${lesson.title} · Ray casting`, kind: "chapter", stem, mathematics: lesson.html.includes('class="katex'),
         main: `<main class="chapter" id="main">
 <article class="lesson" id="lesson" aria-label="Lesson">
-${withOpening(lesson)}
+${withOpening(lesson, stem)}
 </article>
 <div class="divider" id="divider" role="separator" tabindex="0" aria-orientation="vertical" aria-label="Room for the lesson, in percent" aria-controls="lesson" aria-valuemin="25" aria-valuemax="75" aria-valuenow="50"></div>
 ${exercise(stem)}
@@ -266,7 +273,6 @@ if (!isHandout)
 
 // ---- the lecture, and all figures, for a lecturer -----------------------------------------------
 
-const slides = isHandout ? "" : typeset(readFileSync(lectureFile, "utf8"));
 if (!isHandout) {
     mkdirSync(join(site, "lecture"), { recursive: true });
     for (const [, name] of slides.matchAll(/src="lecture\/([^"]*)\.svg"/g)) {
@@ -283,12 +289,10 @@ if (!isHandout) {
 }
 
 // In the order of the lecture, and those that it does not show at the end of their chapter's (08's at the very end). A handout has no lecture.
-const onSlides = [...new Set([...slides.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
 const figures = stems.flatMap((stem) => readdirSync(join(root, "chapters", stem)).filter((name) => name.endsWith(".svg") && !/-step\d/.test(name)).map((file) => {
     const name = file.slice(0, -4), svg = readFileSync(join(root, "chapters", stem, file), "utf8");
     return { stem, name, file: `chapters/${stem}/${file}`, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
 }));
-const slideOf = (name) => slides.split("<section ").find((each) => each.includes(` data-figure="${name}"`)).match(/ data-name="([^"]*)"/)[1];
 const placeOf = ({ stem, name }) => onSlides.indexOf(name) + 1 || (stem === stems.at(-1) ? 1000 : 0) +
     Math.max(0, ...figures.filter((each) => each.stem === stem).map((each) => onSlides.indexOf(each.name) + 1)) + 0.5;
 figures.sort((a, b) => placeOf(a) - placeOf(b));
@@ -298,7 +302,7 @@ write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", 
 figure. <kbd>Esc</kbd> returns to this page.${isHandout ? "" : " <a href=\"lecture.html\">The lecture</a> has them on its slides."}</p>
 <div class="grid">
 ${figures.map(({ stem, name, file, title, words }) => `<section id="${name}" aria-label="${title}"><h2><a href="#${name}">${title}</a></h2>
-<p class="meta"><a href="${stem}.html">Chapter ${stem.slice(0, 2)}</a>${onSlides.includes(name) ? ` · <a href="lecture.html#${slideOf(name)}">its slide</a>` : ""}</p>
+<p class="meta"><a href="${stem}.html">Chapter ${stem.slice(0, 2)}</a> · <a href="${stem}.html#exercise">its exercise</a>${onSlides.includes(name) ? ` · <a href="lecture.html#${slideWith(new RegExp(` data-figure="${name}"`))}">its slide</a>` : ""}</p>
 ${figure({ root, file, words, first: false, used }).replace(" data-src=", ` data-step="1" data-src=`)}</section>`).join("\n")}
 </div>
 </main>` }));
