@@ -7,7 +7,7 @@
 // The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
 // traps; then the whole compiler is fetched, and that run is made again with it.
 import xz from "xz-decompress";
-import { Exit, Files, PAGE, clear, isEmpty, trapOf, wasi } from "./wasi.js";
+import { Exit, Files, PAGE, clear, instantiate, isEmpty, trapOf, wasi } from "./wasi.js";
 
 const SMALL = "compiler/small.wasm.xz", WHOLE = "compiler/whole.wasm.xz", PACK = "compiler/pack.xz";
 // An answer that is compiled while nobody waits.
@@ -37,7 +37,7 @@ export class Program {
         const calls = {};
         for (const { name } of WebAssembly.Module.imports(this.module))
             calls[name] = (...given) => this.calls[name](...given);
-        const { exports } = this.instance = new WebAssembly.Instance(this.module, { wasi_snapshot_preview1: calls });
+        const { exports } = this.instance = instantiate(this.module, { wasi_snapshot_preview1: calls });
         this.stack = exports.stack.value;
         // What _start does before it asks for its arguments is done first; the constructors need it.
         const system = wasi({});
@@ -145,7 +145,7 @@ export async function load({ fetchBytes, progress = () => {}, onFetched = () => 
     small.begin();
     const pack = unpack(new Uint8Array(await new Response(new xz.XzReadableStream(body(await compressed))).arrayBuffer()));
     // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
-    xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
+    Object.assign(xz.XzReadableStream, { _moduleInstance: undefined, _moduleInstancePromise: undefined });
     return new Compiler(pack, small, async () => new Program(await compiled(counted(fetchBytes(WHOLE), () => {}))));
 }
 
@@ -154,7 +154,9 @@ const body = (answer) => answer instanceof Response ? answer.body : new Response
 export class Compiler {
     /** How often an answer needed the whole compiler, and how long the parts of the last compilation took. */
     fallbacks = 0;
-    times = {};
+    times = { compile: 0, link: 0 };
+    warmed = null;
+    whole = null;
 
     constructor(pack, small, loadWhole) {
         this.pack = pack;
@@ -184,7 +186,7 @@ export class Compiler {
     /**
    * Compiles and links an answer.
    * @param {{stem: string, files: Object<string, string>}} given files: at least exercises/STEM.c
-   * @returns {Promise<{module: WebAssembly.Module|null, object?: Uint8Array, status: number, stage: 'compile'|'link',
+   * @returns {Promise<{module: WebAssembly.Module|null, object?: Uint8Array, status: number, stage: string,
    *          messages: string}>} messages: what the compiler said, or the linker if that failed
    */
     async compile({ stem, files }) {
@@ -192,7 +194,7 @@ export class Compiler {
         const start = performance.now();
         const compiled = await this.run(["llvm", "clang", "-cc1", ...this.flags.compile, "-main-file-name", `${stem}.c`,
             "-o", "answer.o", "-x", "c", source], new Map([...this.pack, ...Object.entries(files)]));
-        this.times = { compile: performance.now() - start };
+        this.times = { compile: performance.now() - start, link: 0 };
         if (compiled.status !== 0)
             return { module: null, ...failed(compiled, "compile") };
         const object = compiled.files.get("answer.o"), linked = await this.link(stem, object);

@@ -79,7 +79,7 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
 
         /**
      * The figure after a handle is put somewhere else, and its options.
-     * @param {Wanted & {put?: {handle: number, u: number, v: number} | {handle: number, by: object}}} wanted
+     * @param {Wanted & {put?: {handle: number, u: number, v: number, by?: object} | {handle: number, by: object, u?: number, v?: number}}} wanted
      *        put: by a drag, to a place; or by a key (nudge)
      * @returns {Drawn & {options: Object<string, string>}}
      */
@@ -92,6 +92,7 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
         /**
      * The options after a key: the handle moves by this much, or as much farther as it must to move at all.
      * @param {Wanted} wanted
+     * @param {number} handle
      * @param {{u: number, v: number, du: number, dv: number}} by from its place, and how far on the canvas
      */
         nudge(wanted, handle, { u, v, du, dv }) {
@@ -132,7 +133,9 @@ export function lessonNumbers(program, figure, options) {
  *           {status: number, said: string, files: Object<string, string>}}>}
  */
 export async function loadGnuplot(module) {
-    let said = [], made;
+    let said = [];
+    /** @type {any} */
+    let made;
     const hear = (line) => said.push(line);
     const gnuplot = await createGnuplot({
         noInitialRun: true, noFSInit: true, print: hear, printErr: hear,
@@ -165,6 +168,7 @@ export async function loadGnuplot(module) {
             made._emscripten_stack_restore(stack);
             gnuplot.HEAPU8.set(fresh);
             clear(buffer, used, pages, 64);
+            /** @type {Object<string, string>} */
             const drawn = {};
             for (const name of wanted)
                 if (gnuplot.FS.analyzePath(name).exists)

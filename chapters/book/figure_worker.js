@@ -6,7 +6,7 @@ import xz from "xz-decompress";
 async function gnuplotModule() {
     const bytes = new xz.XzReadableStream((await fetched("figures/gnuplot.wasm.xz")).body);
     const module = await WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
-    xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined; // its memory is not needed again
+    Object.assign(xz.XzReadableStream, { _moduleInstance: undefined, _moduleInstancePromise: undefined }); // its memory is not needed again
     return module;
 }
 const figures = once(async () => {

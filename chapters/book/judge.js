@@ -4,7 +4,7 @@
 // module is what the system is to them: it starts one program for another, and carries the bytes
 // between the judge and the answer, which are two instances. Nothing of a verdict is decided here.
 import { hideHelpers } from "./tools.js";
-import { Exit, Files, OutOfSteps, run, trapOf, wasi } from "./wasi.js";
+import { Exit, Files, OutOfSteps, instantiate, run, trapOf, wasi } from "./wasi.js";
 
 const text = new TextDecoder(), STEPS_PER_SECOND = 30e6;
 
@@ -41,10 +41,11 @@ class Answer {
         this.calls = new Pipe();
         this.answers = new Pipe();
         this.end = GOES_ON;
+        this.isCalled = false;
         this.status = 0;
         const system = wasi({ env: { LENT: lent }, stdout: printed, stderr: printed });
         const bytes = (at, size) => new Uint8Array(this.instance.exports.memory.buffer, at, size);
-        this.instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system.imports(module), book: {
+        this.instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module), book: {
             call_put: (at, size) => this.answers.put(bytes(at, size)),
             call_get: (at, size) => {
                 if (this.calls.size < size && !(this.isCalled && serve()))
@@ -80,7 +81,7 @@ function runJudge(module, words, files, answerOf) {
     const bytes = (at, size) => new Uint8Array(instance.exports.memory.buffer, at, size);
     const string = (at) => { const all = bytes(at); return text.decode(all.slice(0, all.indexOf(0))); };
     const bye = () => { steps += answer?.steps ?? 0; answer = undefined; };
-    const instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system.imports(module), book: {
+    const instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module), book: {
         answer_start(program, mostSteps) {
             most = mostSteps;
             if (answer)
@@ -142,8 +143,8 @@ export const partsOf = (written) => written.split("\x1e").slice(0, -1).map((part
  * Judges the answers of one student.
  * @param {{modules: {course: WebAssembly.Module, judge: WebAssembly.Module},
  *          files: Map<string, Uint8Array|string>,
- *          compile?: Tool, link?: Tool}} given
- *        files: those of build/book/tree. compile and link: the commands of its plan; a Tool is given
+ *          compile?: Function, link?: Function}} given
+ *        files: those of build/book/tree. compile and link: the commands of its plan; each is given
  *        the words of the command and all files, puts its output there, and returns
  *        {status, said, module?}; without link, or if it returns nothing, a picture waits for draw()
  */
@@ -213,7 +214,7 @@ export function createJudge({ modules, files: given, compile, link }) {
         const system = wasi({ args: ["course", what, "plan", ...stems], files, env: { TERM: "dumb", ...env } });
         const bytes = (at, size) => new Uint8Array(instance.exports.memory.buffer, at, size);
         const string = (at) => { const all = bytes(at); return text.decode(all.slice(0, all.indexOf(0))); };
-        const instance = new WebAssembly.Instance(modules.course, { wasi_snapshot_preview1: system.imports(modules.course), book: {
+        const instance = instantiate(modules.course, { wasi_snapshot_preview1: system.imports(modules.course), book: {
             program_start(at, size, output, seconds) {
                 const words = text.decode(bytes(at, size).slice()).split("\0").slice(0, -1);
                 return start(words, output ? string(output) : null, seconds);
@@ -249,7 +250,7 @@ export function createJudge({ modules, files: given, compile, link }) {
         /**
      * @param {{stem: string, sources?: Object<string, string>, compiled?: Object<string, object>,
      *          web?: boolean}} given  compiled: of each stem, what compiler.js returned; web: parts of a verdict (partsOf), not text
-     * @returns {{text: string, status: number, record: string}} needs: there is more to draw (draw)
+     * @returns {{text: string, status: number, record: string, needs?: string[]}} needs: there is more to draw (draw)
      */
         judge({ stem, web, ...given }) {
             take(given);

@@ -7,7 +7,7 @@ import { toolsOf, WholeCompilerNeeded } from "./tools.js";
 import { answerQuestions, fetched, once, program, tellProgress, texts, unzipped } from "./worker_questions.js";
 
 // The compiler comes first, because there is most to do with it; the judge while the first answer is compiled.
-let compilerIsHere = () => {};
+let compilerIsHere;
 const afterCompiler = new Promise((resolve) => { compilerIsHere = resolve; });
 const compiler = once(() => load({ fetchBytes: fetched, progress: (done, all) => tellProgress("Fetching the compiler", done, all),
     onFetched() { tellProgress("Starting the compiler"); compilerIsHere(); } }));

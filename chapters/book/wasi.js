@@ -94,6 +94,7 @@ export class Files {
 export function wasi({ args = ["program"], files = new Files(), env = {}, stdin = "", stdout, stderr }) {
     const streams = [new MemoryFile(typeof stdin === "string" ? words.encode(stdin) : stdin, 0),
         stdout ?? new MemoryFile(new Uint8Array(0), 0), stderr ?? new MemoryFile(new Uint8Array(0), 0)];
+    /** @type {{is: number, file?: MemoryFile, at?: number, flags?: number, folder?: string}[]} */
     const open = [...streams.map((file, i) => ({ file, at: 0, flags: i > 0 ? APPEND : 0, is: CHARACTERS })), { folder: "", is: FOLDER }];
     const strings = (list) => list.map((s) => words.encode(s + "\0"));
     const given = strings(args), environment = strings(Object.entries(env).map(([k, v]) => `${k}=${v}`));
@@ -242,8 +243,10 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             const folder = open[fd]?.folder;
             if (folder === undefined)
                 return BAD_FILE;
-            const inside = folder === "" ? "" : folder + "/", names = [];
-            for (const [kind, paths] of [[FOLDER, files.folders], [FILE, files.files]])
+            const inside = folder === "" ? "" : folder + "/";
+            /** @type {[number, string][]} */
+            const names = [];
+            for (const [kind, paths] of /** @type {[number, Map<string, any>][]} */ ([[FOLDER, files.folders], [FILE, files.files]]))
                 for (const path of paths.keys())
                     if (path !== "" && path.startsWith(inside) && !path.slice(inside.length).includes("/") && path !== folder)
                         names.push([kind, path.slice(inside.length)]);
@@ -342,19 +345,22 @@ export function trapOf(error) {
       : /out of bounds|out-of-bounds/i.test(said) ? "memory" : "other";
 }
 
+/** @returns {{exports: any}} an instance, with what the program exports */
+export const instantiate = (module, imports) => new WebAssembly.Instance(module, imports);
+
 /**
  * Runs a program from its start to its end.
  * @param {WebAssembly.Module} module
- * @param {{args?: string[], files?: Files|Map<string, Uint8Array|string>, env?: Object<string, string>,
+ * @param {{args?: string[], files?: Files|Map<string, Uint8Array|string>|{}, env?: Object<string, string>,
  *          stdin?: Uint8Array|string, steps?: number, imports?: Object<string, Object<string, Function>>}} given
  *        steps: after this many a module that counts them (chapters/book/instead/steps.c) is ended
  * @returns {{status?: number, trap?: string, error?: Error, stdout: string, stderr: string, files: Files}}
  */
 export function run(module, { args, files, env, stdin, steps = Infinity, imports = {} } = {}) {
     const system = wasi({ args, files: files instanceof Files ? files : new Files(files), env, stdin });
-    const result = { files: system.files };
+    const result = { files: system.files, stdout: "", stderr: "" };
     try {
-        const instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system.imports(module),
+        const instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module),
             book: { out_of_steps() { throw new OutOfSteps(); } }, ...imports });
         system.begin(instance);
         instance.exports.allow_steps?.(steps);

@@ -24,6 +24,7 @@ export const program = once(async (name) => WebAssembly.compileStreaming(await f
 export const texts = once(async (name) => (await fetched(name)).json());
 export const unzipped = async (name) => new Response((await fetched(name)).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 
+/** @type {(...progress: any[]) => void} */
 let newest = () => {};
 /** Tells the page how far the newest question is; first: an answer that is not complete yet. */
 export const tellProgress = (words, done = 0, all = 0, first = null) => newest(words, done, all, first);

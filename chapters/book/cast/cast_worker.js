@@ -1,5 +1,5 @@
 // cast_worker.js - one Worker of the pool (pool.js): casts tiles of a scene by one program, cast.c with its answers.
-import { Exit, Files, wasi } from "../wasi.js";
+import { Exit, Files, instantiate, wasi } from "../wasi.js";
 
 let instance = null, system, files, opened = {};
 const text = (stream) => new TextDecoder().decode(stream.contents());
@@ -8,7 +8,7 @@ const text = (stream) => new TextDecoder().decode(stream.contents());
 function open({ program, scene }) {
     if (program !== opened.program || instance === null) {
         system = wasi({ files: files = new Files() });
-        instance = new WebAssembly.Instance(program, { wasi_snapshot_preview1: system.imports(program) });
+        instance = instantiate(program, { wasi_snapshot_preview1: system.imports(program) });
         system.begin(instance);
         instance.exports._initialize();
     }
@@ -46,7 +46,7 @@ addEventListener("message", ({ data: { program, scene, tile } }) => {
         if (program || scene)
             open({ program: program ?? opened.program, scene: scene ?? opened.scene });
         const done = cast(tile);
-        postMessage(done, done.pixels ? [done.pixels.buffer] : []);
+        postMessage(done, { transfer: done.pixels ? [done.pixels.buffer] : [] });
     } catch (reason) {
         instance = null;
         const isTrap = !(reason instanceof Error) || reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError;

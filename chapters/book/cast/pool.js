@@ -27,7 +27,7 @@ export class Pool {
      */
     constructor(start, size = Math.min(16, navigator.hardwareConcurrency || 2)) {
         this.start = start;
-        this.workers = Array.from({ length: size }, () => ({ worker: null, opened: {}, tile: null }));
+        this.workers = Array.from({ length: size }, () => ({ worker: null, opened: {}, tile: null, picture: null, since: 0 }));
         this.picture = this.question = null;
     }
 
@@ -44,7 +44,7 @@ export class Pool {
      * Casts one picture, and stops the one before.
      * @param {Opened} opened
      * @param {Pass} pass
-     * @param {(tile: object, pixels: Uint8ClampedArray, view: number[]) => void} onTile
+     * @param {(tile: object, done: {pixels: Uint8ClampedArray<ArrayBuffer>, view: number[]}) => void} onTile
      * @returns {Promise<void>} when all of it is there
      */
     cast(opened, pass, onTile) {

@@ -25,7 +25,13 @@ export class SceneView {
      * @param {{samples?: number, depth?: number} & Told} given samples: in each direction of a pixel, in the end
      */
     constructor(canvas, pool, { samples = 1, depth = 5, ...told }) {
-        Object.assign(this, { canvas, pool, samples, depth, told, caster: "", mistake: -1 }); // mistaken.c
+        this.canvas = canvas;
+        this.pool = pool;
+        this.samples = samples;
+        this.depth = depth;
+        this.told = told;
+        this.caster = "";
+        this.mistake = -1; // mistaken.c
         this.context = canvas.getContext("2d");
         this.divided = 4; // a picture that moves has a pixel for so many columns and rows
         this.version = 0;

@@ -212,6 +212,7 @@ export async function answersIn(fileList, stems) {
  */
 export async function makeZip(files, when = new Date()) {
     const { zipSync } = await import("fflate");
+    /** @type {import("fflate").ZipOptions} */
     const onUnix = { mtime: when, os: 3, attrs: 0o100644 * 0x10000, level: 0 };
     return zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, [bytes, onUnix]])));
 }

@@ -17,6 +17,7 @@ class Said extends WidgetType {
     eq(other) { return other.words === this.words && other.severity === this.severity; }
     toDOM() { return Object.assign(document.createElement("span"), { className: `said ${this.severity}`, textContent: this.words, ariaHidden: "true" }); }
 }
+/** @type {import("@codemirror/state").StateEffectType<import("@codemirror/view").DecorationSet>} */
 const sayings = StateEffect.define();
 const sayingsOfLines = StateField.define({
     create: () => Decoration.none,
@@ -85,7 +86,7 @@ export function openEditor({ place, styles, label, text, contract, onChange, onJ
                 end++;
             view.dispatch({ changes: { from: start, to: now.length - end, insert: other.slice(start, other.length - end) }, annotations: byProgram.of(true) });
         },
-        /** @param {{line: number, column: number, severity: "error" | "warning", message: string}[]} marks lines count from 1 */
+        /** @param {{line: number, column: number, severity: any, message: string}[]} marks severity: "error" or "warning"; lines count from 1 */
         mark(marks) {
             const { doc } = view.state;
             const inText = marks.filter(({ line }) => line >= 1 && line <= doc.lines);

@@ -23,6 +23,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
 
     let timer, marked = [];
     // Until the editor is there, the page shows the text.
+    /** @type {Partial<ReturnType<typeof import("./editor.js").openEditor>>} */
     let editor = {
         text: () => still.textContent,
         replace(text) { still.textContent = text; },

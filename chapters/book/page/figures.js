@@ -16,6 +16,7 @@ const areStatic = document.documentElement.dataset.figures === "static";
 export function setUpFigures({ site, themeNow, drawer }) {
     const figures = [...document.querySelectorAll(".figure")];
     const controls = new Map(); // of the figures that are live
+    /** @type {(figure: any) => object} */
     let live = () => null;
     const view = fullScreenView({ site, themeNow, figures, live: (figure) => live(figure) });
     for (const figure of figures) {
@@ -235,12 +236,13 @@ function latest(ask, setBusy) {
 export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: fixedShape = "" }) {
     const { stem, figure: name } = figure.dataset, place = figure.querySelector(".drawing");
     const narrow = matchMedia(NARROW), questions = latest(ask, (busy) => place.setAttribute("aria-busy", busy || held !== null));
-    let step = Number(figure.dataset.step ?? 0) || 1000, steps = 1, options = {}, shown = null, root = null, keys = 0, held = null;
+    let step = Number(figure.dataset.step ?? 0) || 1000, steps = 1, options = {}, shown = null, root = null, keys, held = null;
     const elements = {};
 
     const shape = () => fixedShape || (narrow.matches ? "4:3" : "16:9");
     const wanted = (more = {}) => ({ do: "figure", stem, name, theme: themeNow(), shape: shape(), step, options, ...more });
 
+    /** @param {(drawn: any) => void} [then] */
     function redraw(more, then = () => {}) {
         let began, asked;
         questions.ask(() => { began = performance.now(); return (asked = wanted(more)); }, (drawn, reason) => {

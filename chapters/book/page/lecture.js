@@ -44,7 +44,7 @@ addEventListener("message", ({ data, source }) => {
         return;
     other = source;
     if (data.lecture === "")
-        source.postMessage({ lecture: pages[at].id }, "*");
+        source.postMessage({ lecture: pages[at].id }, { targetOrigin: "*" });
     else
         show(indexOf(data.lecture), { tell: false });
 });

@@ -11,7 +11,7 @@ function nameOf(letter) {
 /** The parts of a line that match, as ranges: one may begin in one colored piece and end in another. */
 function rangesIn(line, pattern) {
     const nodes = [], walker = document.createTreeWalker(line, NodeFilter.SHOW_TEXT);
-    for (let at = 0; walker.nextNode(); at += walker.currentNode.length)
+    for (let at = 0; walker.nextNode(); at += walker.currentNode.textContent.length)
         nodes.push({ node: walker.currentNode, at });
     return [...line.textContent.matchAll(pattern)].map(({ index, 0: { length } }) => {
         const range = document.createRange(), start = nodes.findLast(({ at }) => at <= index), end = nodes.findLast(({ at }) => at < index + length);

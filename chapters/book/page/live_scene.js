@@ -33,8 +33,7 @@ async function unpacked(words) {
 }
 
 /**
- * @param {object} given
- * @param {(what: object) => Promise<object>} given.ask asks judge_worker.js
+ * @param {{stem: string, site: URL, course: object, answers: object, ask: (what: object) => Promise<any>}} given ask: judge_worker.js
  * @returns {{follow: () => void}} to call when the answer was judged
  */
 export function setUpLiveScene({ stem, site, course, answers, ask }) {

@@ -7,10 +7,10 @@ const VIEWS = ["lesson", "code", "verdict"], scrolled = {};
 function setUpDivider(divider) {
     const set = (percent) => {
         const lesson = Math.round(Math.max(LEAST, Math.min(MOST, percent)));
-        root.style.setProperty("--lesson", lesson);
-        divider.setAttribute("aria-valuenow", lesson);
+        root.style.setProperty("--lesson", String(lesson));
+        divider.setAttribute("aria-valuenow", String(lesson));
         try {
-            localStorage.setItem("ray-casting lesson", lesson);
+            localStorage.setItem("ray-casting lesson", String(lesson));
         } catch {
             // It lasts as long as the page.
         }

@@ -49,7 +49,7 @@ export function marksOf(verdict, stem, text) {
     const { parts, states } = verdict, said = wordsOf(parts, "compiler"), { name, line } = subjectOf(parts, text);
     const marks = messagesOf(said || verdict.messages, stem).map((each) => ({ ...each, message: each.message + each.help.replace(" ", "\n") }));
     if (line > 0 && states[name] === "wrong")
-        marks.unshift({ line, column: 1, severity: "warning", message: firstOf(verdict) });
+        marks.unshift({ line, column: 1, severity: "warning", message: firstOf(verdict), help: "" });
     return marks;
 }
 

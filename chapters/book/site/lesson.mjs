@@ -115,6 +115,8 @@ function sizeOfPng(file) {
  * @param {object} of
  * @param {string} of.root the folder of the toolkit
  * @param {string} of.file the lesson's SVG, chapters/NN-stem/NAME[-stepN].svg
+ * @param {string} of.words
+ * @param {boolean} of.first in the page: it is fetched at once
  * @param {Set<string>} of.used gets the path in the site of each SVG
  */
 export function figure({ root, file, words, first, used }) {
@@ -142,8 +144,8 @@ export function figure({ root, file, words, first, used }) {
  * @param {string} of.path the file, in that folder
  * @param {(path: string) => string | null} of.pageOf the page of the site for a file of the toolkit; null if there is none
  * @param {Set<string>} of.used gets the path of each picture that the page needs
- * @param {string} of.marked the same file with its numbers marked, if there is one (withMarks)
- * @param {string} of.up from the page to the top of the site: "" or "../"
+ * @param {string} [of.marked] the same file with its numbers marked, if there is one (withMarks)
+ * @param {string} [of.up] from the page to the top of the site: "" or "../"
  */
 export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
     const source = readFileSync(join(root, path), "utf8"), isChapter = path.endsWith("/README.md") && path.startsWith("chapters/");
@@ -159,7 +161,7 @@ export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
     const markdown = markdownIt({ html: true, typographer: false }).use(inlineMathematics).use(headings).use(fences, isChapter);
     const plainLink = (tokens, at, options, env, self) => self.renderToken(tokens, at, options);
     markdown.renderer.rules.link_open = (tokens, at, ...rest) => {
-        const link = tokens[at].attrGet("href");
+        const link = String(tokens[at].attrGet("href"));
         if (/^[a-z]+:/.test(link)) {
             tokens[at].attrSet("rel", "noopener");
             return plainLink(tokens, at, ...rest);

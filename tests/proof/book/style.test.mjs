@@ -1,6 +1,6 @@
-// style.test.mjs - the page's code has one style, and nothing in it is unused. FIX=1 mends what can be mended.
+// style.test.mjs - the page's code has one style, nothing in it is unused, and its types fit (chapters/book/tsconfig.json). FIX=1 mends what can be mended.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { createRequire } from "node:module";
 import test from "node:test";
 
@@ -31,4 +31,9 @@ test("the page's code has one style", async () => {
         await ESLint.outputFixes(results);
     const found = results.flatMap(({ filePath, messages }) => messages.map(({ line, message }) => `${filePath}:${line}: ${message}`));
     assert.deepEqual(found, []);
+});
+
+test("the page's code names only what there is", () => {
+    const { stdout } = spawnSync("node", [require.resolve("typescript/bin/tsc"), "-p", "chapters/book", "--pretty", "false"], { encoding: "utf8" });
+    assert.deepEqual(stdout.split("\n").filter(Boolean), []);
 });
