@@ -150,21 +150,6 @@ fi
 for page in README.md $(cd "$scratch/tree/ray-casting" && ls ./*/README.md chapters/*/*.md); do
     check "the links of its $page lead somewhere" links_lead_somewhere "$scratch/tree/ray-casting/$page"
 done
-# Every file that it includes and every script that it calls is in it.
-is_whole() {
-    status=0
-    for name in $(
-        find "$scratch/tree" -name '*.[ch]' -exec sed -n 's/^#include "\(.*\)".*/\1/p' {} + | sort -u
-        grep -rhoE '\.make/[a-z_]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
-            "$scratch/tree/ray-casting/Makefile" | grep -v 'make/toolkit' | sort -u
-    ); do
-        [ -e "$scratch/tree/ray-casting/$name" ] || grep -rqF "__has_include(\"$name\")" "$scratch/tree/ray-casting/chapters" ||
-            { echo "$name"; status=1; }
-    done
-    return $status
-}
-check 'nothing that it needs is missing' is_whole
-
 # make has a rule for each of its files: nothing is built, so that takes seconds.
 has_rules() {
     (cd "$scratch/tree/ray-casting" && unset ANSWERS BUILD KIT PROGRAMS CC COMPILER && make -n all check exercises >/dev/null)

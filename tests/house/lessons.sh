@@ -27,12 +27,6 @@ for source in chapters/lessons/*.md; do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
 done
-# Of whole words, without tables, code, the words of pictures and marks for the page.
-words_of_lessons() {
-    # shellcheck disable=SC2016 # the backticks are of Markdown
-    sed '/^```/,/^```$/d; /^|/d; /^!\[/d; s/<!--[^>]*-->//g' chapters/[0-9]*/README.md | wc -w
-}
-check 'the eight lessons have at most 12,500 words' test "$(words_of_lessons)" -le 12500
 for page in README.md chapters/README.md chapters/08-fast/engines.md chapters/book/README.md exercises/README.md tests/grade/README.md \
     tests/grade/recipes/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
