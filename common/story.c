@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-bool story_names_functions;
+bool story_is_for_page;
 static const char *functions_of_line;
 
 void story_by(const char *functions)
@@ -31,10 +31,10 @@ void story_line(const char *label, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    printf("  %-27s ", label);
+    printf(story_is_for_page ? "%s\t" : "  %-27s ", label);
     vprintf(format, arguments);
-    if (story_names_functions && functions_of_line != NULL)
-        printf("\t%s", functions_of_line);
+    if (story_is_for_page)
+        printf("\t%s", functions_of_line != NULL ? functions_of_line : "");
     functions_of_line = NULL;
     printf("\n");
     va_end(arguments);
@@ -42,7 +42,7 @@ void story_line(const char *label, const char *format, ...)
 
 void story_segment(const char *name, vec3 from, vec3 to)
 {
-    if (story_names_functions)
+    if (story_is_for_page)
         printf("\t%s %.17g %.17g %.17g %.17g %.17g %.17g\n", name, from[0], from[1], from[2], to[0],
                to[1], to[2]);
 }

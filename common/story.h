@@ -12,13 +12,13 @@ void story_heading(const char *format, ...) __attribute__((format(printf, 1, 2))
 // A label of up to 27 columns, and what belongs to it.
 void story_line(const char *label, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-// The exercise functions that compute the numbers of the next line, separated by blanks. Printed
-// only if somebody wants it, as a page does: after a tab at the end of the line.
+// For a page: the parts of a line are separated by tabs, and there is more of them.
+extern bool story_is_for_page;
+// The exercise functions that compute the numbers of the next line, separated by blanks: its third
+// part.
 void story_by(const char *functions);
-extern bool story_names_functions;
-
-// What the story is about, in the scene: a line from a point to another. Printed only if somebody
-// wants names, for a page that draws it: after a tab, with all digits.
+// What the story is about, in the scene: a line from a point to another. The page draws it. First
+// comes a tab, and the numbers have all digits.
 void story_segment(const char *name, vec3 from, vec3 to);
 
 // The seven parts of a camera, a line each.

@@ -217,7 +217,7 @@ bool explain_pixel(int width, int height, int depth, int column, int row)
     Shot shot = {.scene = &scene, .size = {width, height}, .pixel = {column, row}};
     if (!find_camera(shot.size, &shot.camera))
         return false;
-    story_names_functions = true;
+    story_is_for_page = true;
     explain(&shot, "scene.nff");
     explain_light(&scene, shot.camera, shot.size, shot.pixel, depth);
     return fflush(stdout) == 0;

@@ -8,13 +8,13 @@ const NORMAL = 0.12; // how long a normal is drawn, in parts of the width of wha
 
 const along = (a, b, part) => a.map((x, i) => x + part * (b[i] - x));
 
-/** A heading, or a label, a value, and whose function that is: as common/story.c prints it. */
+/** A heading, or a label, a value, and whose function that is; or a line as it is (common/story.h). */
 function lineOf(line, chapterOf) {
-    const [words, names = ""] = line.split("\t"), label = words.slice(2, 29).trim(), value = words.slice(30);
-    if (!/^ /.test(words))
-        return element("h4", {}, words);
+    const [label, value, names = ""] = line.split("\t");
+    if (value === undefined)
+        return element(line.startsWith(" ") ? "p" : "h4", line.startsWith(" ") ? { class: "whole" } : {}, line.trim());
     const by = names.split(" ").filter(Boolean).map((each) => element("a", { href: `${chapterOf[each]}.html` }, `${chapterOf[each]?.slice(0, 2)} ${each}`));
-    return /\S {2,}\S|\t/.test(line.trim()) ? element("p", {}, element("span", {}, label), element("code", {}, value), ...by) : element("p", { class: "whole" }, words.trim());
+    return element("p", {}, element("span", {}, label), element("code", {}, value), ...by);
 }
 
 /** @returns {{lines: Element[], segments: {name: string, from: number[], to: number[]}[]}} the segments in the world, with all digits */
