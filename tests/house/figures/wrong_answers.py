@@ -6,9 +6,9 @@ the deck's numbers are worked out here again, by hand.
 import math
 import os
 import shutil
-import struct
 import subprocess
 import sys
+from pathlib import Path
 
 import png
 from cameras import DECK, vector_to
@@ -267,28 +267,20 @@ if figure is not None:
 
 # ---- pictures ---------------------------------------------------------------------------------------
 
-
-def pixels_of_png(path):
-    """Row by row, a color of three bytes for each pixel."""
-    flat = png.pixels(path)
-    with open(path, "rb") as file:
-        width, height = struct.unpack(">II", file.read(24)[16:])
-    return [[tuple(flat[at:at + 3]) for at in range(3 * y * width, 3 * (y + 1) * width, 3)] for y in range(height)]
-
-
 said, folder = judge("06-ray-casting", ("if (t < depth[i])", "if (t < NO_HIT)"))
 path = f"{folder}/cast_object_order.png"
 checks.that("a wrong picture: its path is in the verdict", f"  see        {path}\n" in said, said)
 # Green under red: 5 x 3 pixels, each 57 wide; yours has green in the middle as well.
 GREY, RED, GREEN = (89, 115, 140), (217, 38, 1), (51, 191, 115)
 ALIKE, DIFFER = (31, 36, 43), (255, 209, 89)
-rows = pixels_of_png(path)
+(width, _), colors = png.read(Path(path).read_bytes(), path)
 cross = ["..g..", ".grg.", "..g.."]
 wrong = []
 for panel in range(3):
     for row in range(3):
         for column in range(5):
-            middle = rows[40 + 57 * row + 28][16 + panel * (5 * 57 + 16) + 57 * column + 28]
+            at = 3 * ((40 + 57 * row + 28) * width + 16 + panel * (5 * 57 + 16) + 57 * column + 28)
+            middle = tuple(colors[at:at + 3])
             letter = cross[row][column]
             is_red = letter == "r"
             wanted = ({".": GREY, "g": GREEN, "r": GREEN}[letter], {".": GREY, "g": GREEN, "r": RED}[letter],
