@@ -47,31 +47,6 @@ esac
 
 # ---- instruction sets ---------------------------------------------------------------------------
 
-# Objects for the baseline have no wider vectors in them. And what those for wider ones give away is
-# named after their instruction set: else the linker might take it for all.
-wide='(avx2|avx512)'
-no_wide_vectors() {
-    find "$BUILD/chapters" "$BUILD/common" "$BUILD/solutions" -name '*.o' ! -name '*.avx*.o' \
-        -exec objdump -d --no-show-raw-insn '{}' + >"$scratch/code" || return 1
-    ! grep -E '%[yz]mm[0-9]' "$scratch/code"
-}
-none_given_away() {
-    # As NAME TYPE VALUE SIZE.
-    find "$BUILD/chapters" -name '*.avx*.o' -exec nm -P -g --defined-only '{}' + >"$scratch/names" &&
-        [ -s "$scratch/names" ] && ! grep -vE "^[A-Za-z0-9_]*_$wide [A-Z] |:\$" "$scratch/names"
-}
-case "$(uname -m) $COMPILER $BUILD" in
-x86_64*-march=* | *sanitize*) echo "skipped: which vectors objects have, for they are for another purpose" ;;
-x86_64*)
-    if command -v objdump >/dev/null; then
-        check 'objects for any processor have no vectors that not all have' no_wide_vectors
-        check 'objects for other processors give away nothing by a name of all' none_given_away
-    else
-        echo "skipped: which vectors objects have: objdump is missing ('make setup FOR=contributor' installs it)"
-    fi
-    ;;
-esac
-
 # A processor without AVX, and one with AVX2; an instruction that it lacks ends the program.
 case "$(uname -m) $BUILD" in
 *sanitize*) echo "skipped: engines on other processors, where sanitizers do not run" ;;
