@@ -1,7 +1,7 @@
 #!/bin/sh
 # engines.sh - chapter 08's engines on all scenes there are, on 3,000 random ones and as many whose numbers are far apart,
-# flat and with light, in as much memory as they may take, and on processors that have less. ENGINE_SCENES and
-# ENGINE_SIZE (1920x1080) in the environment make it fewer and smaller.
+# flat and with light, and on processors that have less. ENGINE_SCENES and ENGINE_SIZE (1920x1080) in the environment
+# make it fewer and smaller.
 # Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
@@ -13,7 +13,7 @@ three=chapters/06-ray-casting/three-spheres.nff
 # ---- the same picture ---------------------------------------------------------------------------
 
 # Against chapter 06's loop; of what takes it more than 1e10 tests of a ray and a sphere, against the
-# hierarchy, and rows of that against chapter 06's.
+# hierarchy.
 if [ -z "${BRIEF:-}" ]; then
     counted "$same" "${ENGINE_SCENES:-3000}" 101
     # shellcheck disable=SC2046 # names are words
@@ -25,25 +25,6 @@ else
     counted "$same" 100 101
     counted "$same" 320x180 1e10 "$three" "$scenes/sphereflake-91.nff"
 fi
-
-# ---- memory -------------------------------------------------------------------------------------
-
-# Ten million spheres are 480 MB, and half as much again is for what is cast with.
-has_memory() {
-    [ "$(awk '/^MemAvailable:/ { print int($2 / 1024) }' /proc/meminfo 2>/dev/null || echo 0)" -gt 1500 ]
-}
-case $BUILD in
-*sanitize*) echo "skipped: the memory of engines, for sanitizers take more" ;;
-*)
-    if [ -n "${BRIEF:-}" ]; then
-        counted "$same" --memory 1000000
-    elif has_memory; then
-        counted "$same" --memory 10000000
-    else
-        echo "skipped: engines with ten million spheres, which need 1.5 GB of free memory"
-    fi
-    ;;
-esac
 
 # ---- instruction sets ---------------------------------------------------------------------------
 

@@ -1,5 +1,4 @@
-// same_pictures.c - every engine gives chapter 06's picture and chapter 07's, and bins take little
-// memory for it.
+// same_pictures.c - every engine gives chapter 06's picture and chapter 07's.
 //
 //   same_pictures [SCENES [FIRST]]
 //
@@ -12,14 +11,7 @@
 //   same_pictures WIDTHxHEIGHT MOST-TESTS SCENE.nff...
 //
 // Against plain, chapter 06's loop, if that takes at most the given number of tests of a ray and a
-// sphere (a number like 1e10). Beyond it against bvh, and rows of that, scattered over the picture,
-// against chapter 06.
-//
-//   same_pictures --memory SPHERES
-//
-// As many random spheres as random_nff.c writes them, at 1920 x 1080. The peak of the whole process
-// (getrusage) is taken before casting and after; it only rises. Rows of the picture are chapter
-// 06's. The last line counts.
+// sphere (a number like 1e10), beyond it against bvh. The last line counts.
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/lanes.h"
 #include "chapters/08-fast/engines/light.h"
@@ -32,22 +24,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-enum { ROWS = 24, MOST_LIT = 1300, FEW = 70, MOST_RAYS = 1200, MOST_TOUCHED = 60, RAYS = 20 };
-#define ROW_TESTS 5e7 // in all rows of a picture
-#define MOST_BYTES 48 // a sphere
+enum { MOST_LIT = 1300, MOST_RAYS = 1200, MOST_TOUCHED = 60, RAYS = 20 };
 
 // Each number of threads with each instruction set; the sets and the numbers in turns: the first
 // set has the first number, and so on; or only the best set, and numbers in turns.
 typedef enum { EACH, IN_TURNS, BEST_SET } How;
 
-static const int one[] = {1, 0}, some[] = {1, 3, 0}, more[] = {1, 2, 3, 0},
-                 all[] = {1, 2, 3, 77, 0};
+static const int some[] = {1, 3, 0}, more[] = {1, 2, 3, 0}, all[] = {1, 2, 3, 77, 0};
 
 static int passed, failed;
 
@@ -265,69 +253,6 @@ static void compare_light(const Made *made)
     image_free(&image);
 }
 
-// ---- rows ------------------------------------------------------------------------------------
-
-// Rows of a picture against chapter 06's loop, scattered: at most this number of rows, and of ray
-// and sphere tests. Only spheres that the plane of a row's rays comes near are asked.
-
-// The spheres that a row's rays may hit. All its rays lie in a plane through the eye; what is
-// farther from the plane than its radius is not hit. In their order, so that ties are the same.
-static int near_row(const Work *work, int row, Sphere *near)
-{
-    Resolution screen = work->image->size;
-    Camera camera = work->camera;
-    vec3 ray = pixel_ray(camera, screen, (Pixel){0, row}).direction;
-    vec3 normal = vec3_unit(vec3_cross(ray, camera.right));
-    int count = 0;
-    for (int i = 0; i < work->scene->sphere_count; i++) {
-        Sphere sphere = work->scene->spheres[i];
-        vec3 c = sphere.center - camera.origin;
-        if (fabs(vec3_dot(c, normal)) <= sphere.radius * (1 + 1e-6) + 1e-7 * vec3_length(c))
-            near[count++] = sphere;
-    }
-    return count;
-}
-
-// How many pixels of a row are not chapter 06's.
-static int wrong_in_row(const Work *right, const Scene *near, int row)
-{
-    Resolution screen = right->image->size;
-    int wrong = 0;
-    for (int column = 0; column < screen.width; column++) {
-        Hit hit = nearest_hit(pixel_ray(right->camera, screen, (Pixel){column, row}), near);
-        Color color = hit.sphere < 0 ? near->background : scene_surface(near, hit.sphere)->color;
-        size_t pixel = (size_t)row * (size_t)screen.width + (size_t)column;
-        for (int i = 0; i < 3; i++)
-            if (right->image->rgb[3 * pixel + (size_t)i] != byte_from_color(color[i])) {
-                wrong++;
-                break;
-            }
-    }
-    return wrong;
-}
-
-static void compare_rows(const char *name, const Work *right, int rows, double tests)
-{
-    Scene near = *right->scene;
-    near.spheres = malloc(((size_t)near.sphere_count + 1) * sizeof *near.spheres);
-    if (near.spheres == NULL)
-        exit(1);
-    // Steps of the golden section come near every row, and to none twice for long.
-    const int height = right->image->size.height;
-    double done = 0, place = 0.5;
-    for (int i = 0; i < rows && i < height && done < tests; i++) {
-        int row = (int)(place * height);
-        place = fmod(place + 0.61803398874989485, 1);
-        near.sphere_count = near_row(right, row, near.spheres);
-        done += (double)near.sphere_count * right->image->size.width;
-        int wrong = wrong_in_row(right, &near, row);
-        char why[80];
-        snprintf(why, sizeof why, "%d pixels of row %d are not chapter 06's", wrong, row);
-        settle(wrong == 0, name, why);
-    }
-    free(near.spheres);
-}
-
 // ---- scenes that are made ---------------------------------------------------------------------
 
 // With light, if it has few spheres: chapter 07's loop is slow.
@@ -341,16 +266,15 @@ static void try_made(const Made *made, const int *threads, How how)
     engines[0].cast(&right, &message);
     compare_all(made->name, next, &right, threads, how);
     image_free(&image);
-    if (made->scene.sphere_count <= (threads == one ? FEW : MOST_LIT))
+    if (made->scene.sphere_count <= MOST_LIT)
         compare_light(made);
 }
 
 static void try_all_made(void)
 {
     static Made made;
-    for (int frame = 0; frame < FRAMES; frame++)
-        for (int i = 0; made_difficult(&made, i, (Frame)frame); i++)
-            try_made(&made, frame == FRAME_USUAL ? some : one, EACH);
+    for (int i = 0; made_difficult(&made, i); i++)
+        try_made(&made, some, EACH);
     const Resolution sizes[] = {{1, 1},   {1, 97},  {97, 1},  {2, 3},   {17, 16},  {16, 17},
                                 {33, 31}, {31, 33}, {64, 48}, {65, 49}, {1, 4096}, {4096, 1}};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -409,14 +333,12 @@ static void try_scene(const char *name, const Scene *scene, Resolution size, dou
     Work right = {scene, camera, &image, (int)sysconf(_SC_NPROCESSORS_ONLN), NULL, NULL};
     bool few = (double)size.width * size.height * scene->sphere_count <= most;
     const Engine *engine = few ? &engines[0] : engine_named("bvh");
-    if (!engine->cast(&right, &message)) {
-        settle(false, name, message.text);
-    } else {
-        compare_rows(name, &right, ROWS, ROW_TESTS);
-        // Hierarchies of many spheres take long to build.
+    // Hierarchies of many spheres take long to build.
+    if (engine->cast(&right, &message))
         compare_all(name, &engines[1], &right, more,
                     scene->sphere_count > 200000 ? BEST_SET : IN_TURNS);
-    }
+    else
+        settle(false, name, message.text);
     image_free(&image);
 }
 
@@ -431,50 +353,10 @@ static void try_file(const char *path, Resolution size, double most)
     scene_free(&scene);
 }
 
-// ---- memory ----------------------------------------------------------------------------------
-
-// In bytes; 0 where it cannot be known.
-static double peak(void)
-{
-    struct rusage usage;
-    if (getrusage(RUSAGE_SELF, &usage) != 0)
-        return 0;
-#ifdef __APPLE__
-    return (double)usage.ru_maxrss;
-#else
-    return 1024 * (double)usage.ru_maxrss;
-#endif
-}
-
-static void try_memory(int count)
-{
-    enum { THREADS = 2 };
-    Made made;
-    Message message;
-    if (!made_uniform(&made, count))
-        exit(1);
-    Image image = image_for(made.size);
-    for (int i = 0; i < 3 * image.size.width * image.size.height; i++)
-        image.rgb[i] = 0xa5; // memory counts from when it is used
-    Work work = {&made.scene, made.camera, &image, THREADS, NULL, NULL};
-    double before = peak();
-    if (!engine_named("bins")->cast(&work, &message))
-        settle(false, made.name, message.text);
-    double more_now = (peak() - before) / count;
-    char why[80];
-    snprintf(why, sizeof why, "%.1f bytes a sphere, expected at most %d", more_now, MOST_BYTES);
-    settle(before > 0 && more_now > 0 && more_now <= MOST_BYTES, made.name, why);
-    compare_rows(made.name, &work, 6, 1e9);
-    image_free(&image);
-    made_uniform_free(&made);
-}
-
 int main(int argc, char **argv)
 {
     Resolution size;
-    if (argc == 3 && strcmp(argv[1], "--memory") == 0)
-        try_memory(atoi(argv[2]));
-    else if (argc > 2 && sscanf(argv[1], "%dx%d", &size.width, &size.height) == 2)
+    if (argc > 2 && sscanf(argv[1], "%dx%d", &size.width, &size.height) == 2)
         for (int i = 3; i < argc; i++)
             try_file(argv[i], size, strtod(argv[2], NULL));
     else

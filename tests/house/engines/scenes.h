@@ -15,12 +15,8 @@ typedef struct {
     int depth; // the number of mirrors to follow
 } Made;
 
-// How a camera differs from that of an NFF viewpoint: not at all; its right is on the other side;
-// its pixels are not square and its plane is near; its axes are off by as much as is allowed.
-typedef enum { FRAME_USUAL, FRAME_MIRRORED, FRAME_STRETCHED, FRAME_LEANING, FRAMES } Frame;
-
-// Number 0, 1, ... of the difficult ones; false where there is no more.
-bool made_difficult(Made *made, int number, Frame frame);
+// Number 0, 1, ... of those that no random one is like; false where there is no more.
+bool made_difficult(Made *made, int number);
 
 // The same few spheres on a screen of any size.
 void made_sized(Made *made, Resolution size);
@@ -42,11 +38,6 @@ void made_far_apart(Made *made, unsigned number);
 void made_far(Made *made, unsigned number, double radii, double radius);
 // The edge of a sphere of radius 1, that far away, in a picture of this width there.
 void made_edge(Made *made, unsigned number, double radii, double width);
-
-// count small ones in a cube, as random_nff.c writes them, in memory of their own. False if there
-// is no memory.
-bool made_uniform(Made *made, int count);
-void made_uniform_free(Made *made);
 
 // Random numbers, as after the last scene.
 double uniform(double low, double high);
