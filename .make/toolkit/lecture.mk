@@ -8,7 +8,8 @@
 SLIDES ?= chapters/slides.txt
 LECTURE := $(BUILT)/slides
 SLIDES_NAME := $(notdir $(basename $(SLIDES)))
-MAKE_SLIDES := $(PYTHON) chapters/slides/make_slides.py
+# ADDRESS=address: where the site is, for the codes on slides.
+MAKE_SLIDES := ADDRESS='$(ADDRESS)' $(PYTHON) chapters/slides/make_slides.py
 ifneq ($(filter slides book check-book,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(SLIDES)),)
 $(error SLIDES=$(SLIDES): no such file)
@@ -39,6 +40,10 @@ $(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(B)/chapters/lessons/print_n
 $(LECTURE)/numbers.json: $(LECTURE)/numbers
 	$(Q)$< > $@
 
+SLIDES_TOLD := $(LECTURE)/told
+$(SLIDES_TOLD): FORCE
+	@mkdir -p $(@D); echo '$(ADDRESS)' | cmp -s - $@ || echo '$(ADDRESS)' > $@
+
 # The tests of slides need what is compared.
 check-all check-long: $(LECTURE)/numbers.json
 
@@ -54,7 +59,7 @@ name_of_slides = $(LECTURE)/$(SLIDES_NAME)$(if $(filter 4:3,$(1)),-4x3)$(2).pdf
 SLIDE_SOURCES := $(SLIDES) $(wildcard chapters/slides/*.py chapters/slides/*.sty) $(LECTURE)/numbers.json
 define slides_rule
 SLIDE_PDFS += $(call name_of_slides,$(1),$(2))
-$(call name_of_slides,$(1),$(2)): $(SLIDE_SOURCES) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) | slides-figures
+$(call name_of_slides,$(1),$(2)): $(SLIDE_SOURCES) $(SLIDES_TOLD) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) | slides-figures
 	$$(call say,latex,$$@)
 	$$(Q)$(MAKE_SLIDES) $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) $(1) $(3) $$@
 endef
@@ -68,7 +73,7 @@ $(foreach shape,$(SLIDE_SHAPES), \
 	$(eval $(call slides_rule,$(shape),,light)) \
 	$(eval $(call slides_rule,$(shape),-dark,dark)) \
 	$(foreach version,handout questions notes,$(eval $(call paper_rule,$(shape),$(version)))))
-slides: $(SLIDE_PDFS) ## the lecture: slides, handouts, notes (SHAPE=4:3, SLIDES=talk.txt; needs LaTeX: make setup FOR=lecturer)
+slides: $(SLIDE_PDFS) ## the lecture: slides, handouts, notes (SHAPE=4:3, SLIDES=talk.txt, ADDRESS=address; needs LaTeX: make setup FOR=lecturer)
 	@echo 'The lecture, from $(SLIDES):'; for pdf in $^; do echo "  $$pdf"; done
 .PHONY: slides slides-ready slides-figures
 

@@ -10,6 +10,7 @@
     picture: FILE.png [FILE.png] [below]
     film: NAME                    of 'make animations'; only a page shows it
     added                         the deck does not have it
+    code                          for phones: the address of its figure on the site, if make is told ADDRESS
     - words                       items, a line each: "- " and "  - " of a list, "? " a question, "! " an answer,
                                   "$$ formula $$", code after four spaces, all other lines are text
     then [STEP]                   the slide goes on; and its figure, if STEP is given
@@ -72,6 +73,7 @@ class Slide:
     film: str = ""
     below: bool = False
     added: bool = False
+    code: bool = False
     number: int = 0
     pages: list = field(default_factory=lambda: [Page(1, False)])
     notes: list = field(default_factory=list)  # pairs: how it begins, and the words
@@ -93,6 +95,9 @@ class Slide:
         """The exercise, as a slide's lower edge says it."""
         one = re.fullmatch(r"(\d\d) (\w+(?:, \w+)*)", self.exercise)
         return f"Exercise {one[1]}: {one[2]}" if one else f"Exercises {self.exercise}" if self.exercise else ""
+
+    def place_on_site(self):
+        return f"figures.html#{self.figure}" if self.figure else "index.html"
 
     def asks(self):
         return any(item.kind == "question" for item in self.items(self.unanswered()))
@@ -131,8 +136,8 @@ class Reader:
     def head(self, slide, line):
         """Takes a line of a slide's head; False if it is not one."""
         key, _, value = line.partition(": ")
-        if line == "added":
-            slide.added = True
+        if line in ("added", "code"):
+            setattr(slide, line, True)
         elif key in KEYS and not slide.items(1) and len(slide.pages) == 1:
             if key == "minutes" and not value.isdigit():
                 raise self.wrong(f"minutes: {value}: expected a number")

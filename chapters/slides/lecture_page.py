@@ -77,6 +77,7 @@ class LecturePage:
         title = f"<h1>{words(self.lecture.title)}</h1>" if slide is self.lecture.slides[0] else f"<h2>{words(slide.title)}</h2>"
         left = " · ".join(filter(None, [self.practice(slide), "added to the deck" * slide.added])) + \
             f'<a href="figures.html#{slide.figure}"> · figure</a>' * bool(slide.figure)
+        title += f'<a class="qr" href="{slide.place_on_site()}"></a>' * slide.code
         address = slide.name + (f"/{count}" if count > 1 else "")
         data = f'data-name="{slide.name}" data-slide="{number.split()[0]}" data-page="{count}" data-pages="{len(slide.pages)}" ' \
             f'data-minutes="{slide.minutes}"' + (f' data-film="{slide.film}"' if slide.film else "")

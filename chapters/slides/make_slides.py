@@ -6,7 +6,7 @@
     make_slides.py LECTURE NUMBERS.json SLIDES.pdf SHAPE VERSION OUTPUT.pdf
 
 SHAPE 16:9 or 4:3; THEME light or dark. VERSION: what is made of light slides for paper or for two screens: handout,
-questions or notes. The same sources give the same bytes.
+questions or notes. In the environment: ADDRESS, where the site is. The same sources give the same bytes.
 """
 import json
 import os
@@ -85,7 +85,10 @@ class Slides:
             files = slide.picture.split()
             pictures = r"\vfil".join(rf"\onepicture{{{1.06 / len(files) - 0.06:.2g}}}{{{file}}}" for file in files)
             shown = rf"\picture{'below' if below else 'beside'}{{{pictures}}}"
+        address = os.environ.get("ADDRESS", "").rstrip("/")
         layout = "full" if not shown else "below" if below else "beside"
+        if slide.code and address:
+            shown = rf"\slidecode{{{shown}}}{{{plain(f'{address}/{slide.place_on_site()}')}}}"
         is_title = slide.number == 1
         heading = [rf"\lecturetitle{{{words(self.lecture.title)}}}"] * is_title
         reserve = "\n".join(heading + [item(each) for each in fullest])
@@ -166,7 +169,7 @@ class Slides:
 # ---- LaTeX ----------------------------------------------------------------------------------------
 
 def ready():
-    for need in ("pdflatex", "beamer.cls", "lmodern.sty"):
+    for need in ("pdflatex", "beamer.cls", "lmodern.sty", "qrcode.sty"):
         there = shutil.which(need) if need == "pdflatex" else shutil.which("kpsewhich") and \
             subprocess.run(["kpsewhich", need], stdout=subprocess.PIPE, check=False).stdout
         if not there:

@@ -124,6 +124,23 @@ for shape in 16:9 4:3; do
     check "nothing is too wide, too high or missing, $shape" no_complaints $at
     check "the paper has that shape, $shape" is_of_size $at "$paper"
 done
+# The codes for phones, if the address of the site is known. They are links as well.
+has_codes() {
+    ADDRESS=https://example.org/a/ lecture_as coded 16:9 dark && no_complaints coded || return
+    pdfinfo -url "$lecture/coded.pdf" | grep -o 'https://example.org.*' | uniq | diff - "$scratch/codes"
+}
+has_no_codes() {
+    ! pdfinfo -url "$lecture/wide.pdf" | grep html'#'
+}
+python3 - chapters/slides.txt >"$scratch/codes" <<'CODES'
+import re, sys
+for slide in open(sys.argv[1], encoding="utf-8").read().split("\n= "):
+    figure = re.search(r"^figure: (\S+)", slide, re.M)
+    if re.search("^code$", slide, re.M):
+        print("https://example.org/a/" + (f"figures.html#{figure[1]}" if figure else "index.html"))
+CODES
+check "codes lead to the figures' addresses" has_codes
+check 'without an address there are none' has_no_codes
 check 'each exercise that a page names is there' are_exercises wide
 check 'no text is too small' tells small wide "$scratch/nothing"
 check 'the PDF has a title' is_of_size wide 'Ray Tracing, Part I'

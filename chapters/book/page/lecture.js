@@ -27,6 +27,7 @@ function show(index, { tell = true } = {}) {
         each.classList.toggle("following", isSpeaker && i === at + 1);
         each.inert = i !== at;
     });
+    root.classList.remove("large-code");
     history.replaceState(null, "", `#${page.id}`);
     document.title = `${page.querySelector("h1, h2").textContent} · Lecture`;
     $("spoken").textContent = page.getAttribute("aria-label");
@@ -258,6 +259,7 @@ const actions = {
     pen: () => { $("pen").hidden = !$("pen").hidden; resize(); },
     clear: () => { strokes.delete(pages[at].id); drawStrokes(); },
     numbers: () => toggle("typing") && root.querySelector(".shown .figure input")?.focus(),
+    code: () => pages[at].querySelector(".qr") && toggle("large-code"),
     film: () => {
         const { film } = pages[at].dataset, video = $("film").querySelector("video");
         if (!film)
@@ -273,12 +275,12 @@ const actions = {
 const KEYS = {
     ArrowRight: "next", ArrowDown: "next", PageDown: "next", " ": "next", Enter: "next", ArrowLeft: "back", ArrowUp: "back", PageUp: "back", Backspace: "back",
     Home: "first", End: "last", f: "full", F5: "full", s: "speaker", o: "overview", g: "jump", b: "black", ".": "black", d: "pen", c: "clear", n: "numbers", v: "film",
-    t: "theme", p: "line", "?": "help",
+    t: "theme", p: "line", q: "code", "?": "help",
 };
 
 function setUpKeys() {
     addEventListener("keydown", (event) => {
-        const isTyping = event.composedPath()[0].matches?.("input, video, a, button:not(.handle)") && ![..."gsobdcvtp?", "PageDown", "PageUp"].includes(event.key);
+        const isTyping = event.composedPath()[0].matches?.("input, video, a, button:not(.handle)") && ![..."gsobdcvtpq?", "PageDown", "PageUp"].includes(event.key);
         const name = KEYS[event.key] ?? KEYS[event.key.toLowerCase()];
         if (event.key === "Escape" && root.classList.contains("overview"))
             actions.overview();

@@ -1,6 +1,7 @@
 // lecture.mjs - the page of the lecture: the slides that chapters/slides/lecture_page.py writes, with their mathematics
 // typeset, and what a lecturer does with them (page/lecture.js). Runs when the site is built.
 import katex from "katex";
+import { renderSVG } from "uqr";
 import { escape } from "./lesson.mjs";
 
 const unescape = (text) => text.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&#x27;/g, "'").replace(/&quot;/g, '"').replace(/&amp;/g, "&");
@@ -11,9 +12,15 @@ export function typeset(slides) {
         katex.renderToString(unescape(tex), { displayMode: Boolean(display), throwOnError: true, strict: "error", output: "htmlAndMathml" }));
 }
 
+/** The codes on slides, for phones; none if the address of the site is not known. */
+export function withCodes(slides, address) {
+    return slides.replace(/(<a class="qr" href="(.*?)")><\/a>/g, (_, link, page) =>
+        (address ? `${link} aria-label="This on a phone" tabindex="-1">${renderSVG(address + page, { border: 2 })}</a>` : ""));
+}
+
 /** Keys, in the order of the help. */
 const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, End", "the first, the last"], ["F", "full screen"], ["S", "window for the speaker: notes, next slide, time"],
-    ["O", "overview"], ["G", "go to a number or a name"], ["B .", "black screen"], ["D", "draw; again: stop"], ["C", "clear the drawing"], ["N", "numbers of the figure"],
+    ["O", "overview"], ["G", "go to a number or a name"], ["B .", "black screen"], ["D", "draw; again: stop"], ["C", "clear the drawing"], ["N", "numbers of the figure"], ["Q", "the slide's code for phones: large, small"],
     ["V", "the film of the slide"], ["P", "paste a student's line: it is judged, and drawn"], ["T", "light or dark"], ["?", "these keys"]];
 
 /**

@@ -6,7 +6,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
-import { lecturePage, typeset } from "./lecture.mjs";
+import { lecturePage, typeset, withCodes } from "./lecture.mjs";
 import { coloredC, escape, figure, lessonHtml } from "./lesson.mjs";
 
 const [root, site, exercisesFile, lessonsFolder, drawnFolder, lectureFile, filmsFolder, handIn = "", givenAddress = ""] = process.argv.slice(2);
@@ -135,7 +135,7 @@ function withOpening({ html, gives, time }, stem) {
 
 // ---- the slides ---------------------------------------------------------------------------------
 
-const slides = isHandout ? "" : typeset(readFileSync(lectureFile, "utf8"));
+const slides = isHandout ? "" : withCodes(typeset(readFileSync(lectureFile, "utf8")), address);
 const onSlides = [...new Set([...slides.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
 /** The first slide that has this. */
 const slideWith = (pattern) => slides.split("<section ").find((each) => pattern.test(each)).match(/ data-name="([^"]*)"/)[1];

@@ -6,6 +6,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import test from "node:test";
+import { withCodes } from "../../../../chapters/book/site/lecture.mjs";
 import { begin, seriousFindings, waitFor } from "../site.mjs";
 
 const { folder, browser, openPage } = await begin();
@@ -54,6 +55,23 @@ test("each part ends with a question to the class, whose answer is not among its
     assert.doesNotMatch(before, /It was/);
     assert.match((await press(tab, "ArrowRight")).words, /It was [A-D]: .*\nRight is [A-D]\./);
     assert.ok(await tab.$$eval(".shown .picture img", (images) => images.length === 2 && images.every((each) => each.complete && each.naturalWidth > 0)));
+    await tab.close();
+});
+
+test("a slide's code is for the address of the site, and large by a key", async () => {
+    const slide = '<h2>A</h2><a class="qr" href="figures.html#parabola"></a>';
+    assert.equal(withCodes(slide, ""), "<h2>A</h2>");
+    const codes = ["https://example.org/a/", "https://example.org/b/"].map((address) => withCodes(slide, address));
+    assert.match(codes[0], /<h2>A<\/h2><a class="qr" href="figures.html#parabola" [^>]*><svg /);
+    assert.notEqual(codes[0], codes[1]);
+    const tab = await open("#parabola");
+    await tab.evaluate((code) => document.querySelector(".shown h2").insertAdjacentHTML("afterend", code), codes[0].slice("<h2>A</h2>".length));
+    const width = () => tab.$eval(".shown .qr svg", (code) => code.getBoundingClientRect().width);
+    const small = await width();
+    await press(tab, "q");
+    assert.ok(await width() > 5 * small);
+    await press(tab, "ArrowRight", "ArrowLeft");
+    assert.equal(await width(), small);
     await tab.close();
 });
 
