@@ -284,7 +284,7 @@ ask_the_class() {
 }
 check 'the questions to the class are made' ask_the_class
 every_answer_is_there() {
-    pdftotext "$PROGRAMS/slides/questions.pdf" - | grep -c '^It was [A-D]: ' | grep -qx "$(grep -c '^[^#]' chapters/mistakes/questions.txt)"
+    pdftotext "$PROGRAMS/slides/questions.pdf" - | grep -c '^It was [A-D]: ' | grep -qx "$(grep -c '^[^# ]' chapters/mistakes/questions.txt)"
 }
 check 'each has its answer' every_answer_is_there
 
