@@ -75,8 +75,8 @@ class LecturePage:
         shown = self.picture(slide, page.step) if slide.figure or slide.picture else ""
         layout = "full" if not shown else "below" if slide.below else "beside"
         title = f"<h1>{words(self.lecture.title)}</h1>" if slide is self.lecture.slides[0] else f"<h2>{words(slide.title)}</h2>"
-        left = " · ".join(filter(None, [self.practice(slide), "added to the deck" * slide.added])) + \
-            f'<a href="figures.html#{slide.figure}"> · figure</a>' * bool(slide.figure)
+        left = f'<a href="figures.html#{slide.figure}">Figure · </a>' * bool(slide.figure) + \
+            " · ".join(filter(None, [self.practice(slide), "added to the deck" * slide.added]))
         title += f'<a class="qr" href="{slide.place_on_site()}"></a>' * slide.code
         address = slide.name + (f"/{count}" if count > 1 else "")
         data = f'data-name="{slide.name}" data-slide="{number.split()[0]}" data-page="{count}" data-pages="{len(slide.pages)}" ' \
