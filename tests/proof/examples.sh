@@ -84,23 +84,36 @@ figures_that_stayed() {
 }
 # What the notes say of the example's numbers. A point and the center of its pixel are said to be two places: they look
 # different, however large the screen is.
-mkdir -p "$scratch/new/chapters"
+mkdir -p "$scratch/new/chapters" "$scratch/slides"
 says_on_slides() {
     random_example "$1" >"$scratch/new/chapters/example.h" && random_example "$1" --slides >"$scratch/wanted" &&
-        "${CC:-cc}" -std=c11 -D_DEFAULT_SOURCE -Wno-psabi "-I$scratch/new" -I. -o "$scratch/numbers" chapters/slides/numbers.c \
-            chapters/lessons/numbers.c chapters/lessons/print_numbers.c chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm &&
-        "$scratch/numbers" >"$scratch/numbers.json" || return 1
+        "${CC:-cc}" -std=c11 -D_DEFAULT_SOURCE -Wno-psabi "-I$scratch/new" -I. -o "$scratch/numbers" "$BUILD/chapters/slides/numbers.o" \
+            "$BUILD"/chapters/lessons/*numbers.o chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm &&
+        "$scratch/numbers" >"$scratch/slides/$1.json" || return 1
     while IFS= read -r line; do
-        grep -qF -e "$line" "$scratch/numbers.json" || { echo "example $1: no $line"; return 1; }
+        grep -qF -e "$line" "$scratch/slides/$1.json" || { echo "example $1: no $line"; return 1; }
     done <"$scratch/wanted"
-    point=$(grep -o '"point_normalized": "[^"]*"' "$scratch/numbers.json" | cut -d '(' -f 2)
-    pixel=$(grep -o '"pixel_normalized": "[^"]*"' "$scratch/numbers.json" | cut -d '(' -f 2)
+    point=$(grep -o '"point_normalized": "[^"]*"' "$scratch/slides/$1.json" | cut -d '(' -f 2)
+    pixel=$(grep -o '"pixel_normalized": "[^"]*"' "$scratch/slides/$1.json" | cut -d '(' -f 2)
     echo "$point $pixel"
     [ "${point%,*}" != "${pixel%,*}" ] && [ "${point#*,}" != "${pixel#*,}" ]
 }
-for number in 0 1 2 3 4 5 6 7 8; do
+for number in 0 1 2 3 4 5 6 7 8 $(seq 1000 $((999 + ${MOST_EXAMPLES:-500}))); do
     check "the notes of the slides say what holds for example $number" says_on_slides "$number"
 done
+# slides_fit SHAPE KIND: of some of these examples, all slides with numbers, or their notes.
+slides_fit() {
+    python3 tests/proof/slides/example_slides.py chapters/slides.txt "$scratch"/slides/?.json "$scratch"/slides/1*[05].json >"$scratch/slides/some.txt" &&
+        python3 chapters/slides/make_slides.py "$scratch/slides/some.txt" "$scratch/slides/0.json" "$3" "$1" "$2" "$scratch/slides/$2.pdf" &&
+        ! grep -A 3 Overfull "$scratch/slides/.work/$2/$2.log"
+}
+if python3 chapters/slides/make_slides.py --ready >/dev/null 2>&1; then
+    check 'nothing is too wide or too high for the slides in 4:3' slides_fit 4:3 light "$scratch/slides"
+    check 'nor in 16:9' slides_fit 16:9 light "$scratch/slides"
+    check 'nor for the notes' slides_fit 16:9 notes "$scratch/slides/light.pdf"
+else
+    echo "skipped: slides of these examples, which need LaTeX (make setup FOR=lecturer)"
+fi
 number=$first
 while [ "$number" -lt $((first + examples)) ]; do
     check "make has the numbers of example $number everywhere" with_the_numbers_of "$number"

@@ -183,7 +183,7 @@ def along(e, right, up):
 
 
 def degrees_across(distance, width):
-    return math.degrees(2 * math.acos(distance / math.hypot(distance, width / 2)))
+    return math.degrees(2 * math.asin(width / 2 / math.hypot(distance, width / 2)))
 
 
 def print_lessons(e):
@@ -233,17 +233,12 @@ def print_rays(e):
 
 # ---- what the slides must say -----------------------------------------------------------------------
 
-def shown(x):
-    """As common/shown.h: all digits, if there are at most 6, and 4 otherwise."""
-    return next((text for text in (f"{x:.6g}",) if abs(float(text) - x) <= 1e-12 * abs(x)), f"{x:.4g}")
-
-
 def print_slides(e):
     a = dot(e.v, e.v)
     without = "Here $d$ is 1, so they stay." if e.d == 1 else \
-        f"With $d = 1$ and the old $w$ and $h$ this camera would see {shown(degrees_across(1, e.w))} degrees " \
-        f"across, not {shown(degrees_across(e.d, e.w))}."
-    arrow = "as this arrow is" if abs(a - 1) < 1e-12 else f"and this arrow has $a = {shown(a)}$"
+        f"With $d = 1$ and the old $w$ and $h$ this camera would see {writing.shown(degrees_across(1, e.w))} degrees " \
+        f"across, not {writing.shown(degrees_across(e.d, e.w))}."
+    arrow = "as this arrow is" if abs(a - 1) < 1e-12 else f"and this arrow has $a = {writing.shown(a)}$"
     print(f'"without_dividing": "{without}"\n"arrow": "{arrow}"')
 
 
