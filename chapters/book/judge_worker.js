@@ -128,8 +128,8 @@ answerQuestions({
         return answer(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
     },
     /** A program that casts (cast/cast.c) with these answers: a WebAssembly.Module. */
-    async program({ answers }) {
-        return (await casting()).link(answers);
+    async program({ answers, isRace }) {
+        return (await casting()).link(answers, isRace);
     },
     async hint({ stem, sources, state }) {
         const { judge: before } = await judging();

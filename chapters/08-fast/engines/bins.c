@@ -5,6 +5,7 @@
 // hidden spheres are never asked.
 #include "chapters/08-fast/engines/bins.h"
 #include "chapters/08-fast/engines/hierarchy.h"
+#include "chapters/08-fast/engines/questions.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 
@@ -130,6 +131,10 @@ static void ask_waiting(CurrentTile *tile)
         set_candidate(tile, i);
     lanes->outline(&tile->rays, &tile->candidates, &outlines);
     for (int i = 0; i < tile->waiting; i++) {
+        const Part part = tile->parts[i];
+        const Pixel corner = tile->corner;
+        pixels_are_asked(corner.column + part.left, corner.column + part.right,
+                         corner.row + part.top, corner.row + part.bottom);
         if (outlines.safe[i]) {
             lanes->ask(&tile->pixels, &outlines, i, tile->parts[i], tile->slack,
                        color_of(tile->tiling, tile->spheres[i]));

@@ -5,6 +5,7 @@
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/hierarchy.h"
+#include "chapters/08-fast/engines/questions.h"
 #include "common/clock.h"
 #include "exercises/05-quadratic.h"
 
@@ -73,8 +74,10 @@ static Hit ask_leaf(const Hierarchy *hierarchy, const Scene *scene, const Node *
 {
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
         int sphere = hierarchy->order[i];
-        if (surely_misses(prepared, ray, &scene->spheres[sphere]))
+        if (surely_misses(prepared, ray, &scene->spheres[sphere])) {
+            ray_is_asked();
             continue;
+        }
         nearest = nearer(nearest, (Hit){hit_sphere(ray, scene->spheres[sphere]), sphere});
     }
     return nearest;

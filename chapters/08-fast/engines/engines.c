@@ -1,7 +1,10 @@
 // engines.c - the engines, in the order of the lesson.
 #include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/questions.h"
 
 #include <string.h>
+
+Questions questions;
 
 const Engine engines[] = {
     {"plain", "every pixel asks every sphere", cast_plain, light_plain},

@@ -7,6 +7,7 @@
 #define CHAPTERS_08_FAST_PACKET_H
 
 #include "chapters/08-fast/engines/float_scene.h"
+#include "chapters/08-fast/engines/questions.h"
 
 #include <stdalign.h>
 #include <stdbool.h>
@@ -46,8 +47,9 @@ static inline float aside(const Seen *seen, float x, float y)
 // Whether any ray may hit the sphere before its nearest certain hit: D >= 0, and c.v - sqrt(D) <=
 // end. That is true if c.v - end is not positive, or if its square is at most D. So only a few
 // spheres need square roots. D is that of the first sphere, so no sphere is left out.
-static inline bool packet_may_see(const Packet *packet, const Seen *seen)
+static inline bool packet_may_see(const Packet *packet, const Seen *seen, int column, int row)
 {
+    pixels_are_asked(column * BLOCK, (column + 1) * BLOCK, row * BLOCK, (row + 1) * BLOCK);
     int any = 0;
 #pragma omp simd reduction(| : any)
     for (int i = 0; i < LANES; i++) {

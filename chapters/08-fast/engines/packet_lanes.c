@@ -60,7 +60,7 @@ static void ask_leaf(Packet *packet, Inverse *of, const View *view, const Node *
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
         const Seen *seen = &view->seen[i];
         if (column < seen->left || column >= seen->right || row < seen->top ||
-            row >= seen->bottom || !packet_may_see(packet, seen))
+            row >= seen->bottom || !packet_may_see(packet, seen, column, row))
             continue;
         packet_see(packet, seen);
 #pragma omp simd

@@ -111,7 +111,7 @@ static bool show(Frustum *frustum, const View *view, const Tile *tile, int spher
         for (int column = left > 0 ? left : 0; column < right && column < TILE_BLOCKS; column++) {
             int i = row * TILE_BLOCKS + column;
             Packet *packet = &frustum->packets[i];
-            if (packet_may_see(packet, seen)) {
+            if (packet_may_see(packet, seen, tile->column + column, tile->row + row)) {
                 packet_see(packet, seen);
                 changed = true;
             }

@@ -6,7 +6,9 @@
 #include "chapters/07-shading/explain_light.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/light.h"
+#include "chapters/08-fast/engines/questions.h"
 #include "chapters/shared/scene_camera.h"
+#include "common/clock.h"
 #include "common/story.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
@@ -169,6 +171,52 @@ static bool by_order(const Tile *tile, const char *order)
         cast_image_order(&scene, camera, &image);
     free(depth);
     return ready;
+}
+
+// ---- a race: how often each pixel is asked, and when it gets its color
+// ---------------------------
+
+// Only a program for races is linked so that these two are called (link_cast.js).
+Ray __real_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
+Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
+Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel)
+{
+    bool is_inside = pixel.column >= 0 && pixel.column < questions.width && pixel.row >= 0 &&
+                     pixel.row < questions.height;
+    questions.pixel = is_inside ? pixel.row * questions.width + pixel.column : 0;
+    return __real_pixel_ray(camera, screen, pixel);
+}
+
+double __real_hit_sphere(Ray ray, Sphere sphere);
+double __wrap_hit_sphere(Ray ray, Sphere sphere);
+double __wrap_hit_sphere(Ray ray, Sphere sphere)
+{
+    ray_is_asked();
+    return __real_hit_sphere(ray, sphere);
+}
+
+static float *painted; // in milliseconds since casting began; 0: not by image_set
+static double began;
+
+static void note_time(const Image *of, Pixel pixel, void *watcher)
+{
+    (void)watcher;
+    painted[image_index(of, pixel)] = (float)(1e3 * (clock_seconds() - began));
+}
+
+// Before a picture is cast. Returns where there will be, for each pixel, how often it was asked;
+// and after these numbers, when it was painted last. NULL: there is not enough memory.
+EXPORTED(begin_race) unsigned *begin_race(int width, int height);
+unsigned *begin_race(int width, int height)
+{
+    size_t count = (size_t)width * (size_t)height;
+    free(questions.counts);
+    questions =
+        (Questions){calloc(count, sizeof *questions.counts + sizeof *painted), width, height, 0};
+    painted = (float *)(questions.counts + count);
+    image_watch(questions.counts != NULL ? note_time : NULL, NULL);
+    began = clock_seconds();
+    return questions.counts;
 }
 
 // ---- what the page calls -----------------------------------------------------------------------

@@ -25,7 +25,7 @@ function check(isGood) {
 }
 
 /** view: ten numbers (cast.c); none: the scene's own. explained: a pixel, {column, row}, instead of a tile. */
-function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, mistake, explained }) {
+function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, mistake, explained, isRace }) {
     const { exports } = instance, numbers = () => new Float64Array(exports.memory.buffer, exports.view(), 10);
     if (view)
         numbers().set(view);
@@ -36,9 +36,13 @@ function cast({ view, width, height, samples, depth, left, top, right, bottom, c
         return { story: text(system.stdout) };
     }
     new Uint8Array(exports.memory.buffer, exports.caster(), 40).set(new TextEncoder().encode(`${caster}\0`));
+    const counts = isRace && exports.begin_race(width, height), start = performance.now();
+    check(counts !== 0);
     const at = exports.cast(width, height, samples, depth, left, top, right, bottom);
     check(at !== 0);
-    return { pixels: new Uint8ClampedArray(exports.memory.buffer, at, 4 * (right - left) * (bottom - top)).slice(), view: [...numbers()] };
+    const took = performance.now() - start, size = width * height, { buffer } = exports.memory;
+    const race = isRace && { took, counts: new Uint32Array(buffer, counts, size).slice(), painted: new Float32Array(buffer, counts + 4 * size, size).slice() };
+    return { pixels: new Uint8ClampedArray(buffer, at, 4 * (right - left) * (bottom - top)).slice(), view: [...numbers()], race };
 }
 
 addEventListener("message", ({ data: { program, scene, tile } }) => {

@@ -26,9 +26,10 @@ export function castLinker(compiler, objects) {
         objectOf,
         /**
          * @param {Object<string, {text: string, used: string[]}>} answers by stem; used: the functions that are taken
+         * @param {boolean} [isRace] questions are counted, which takes time
          * @returns {Promise<{module: WebAssembly.Module, yours: string[], reference: string[]}>}
          */
-        async link(answers) {
+        async link(answers, isRace = false) {
             const given = new Map(), yours = [], reference = [];
             for (const stem of stems) {
                 const { text, used = [] } = answers[stem] ?? {}, object = used.length > 0 ? await objectOf(stem, text) : null;
@@ -38,7 +39,7 @@ export function castLinker(compiler, objects) {
                     (object && used.includes(name) ? yours : reference).push(name);
             }
             const others = ["link/cast.o", "link/shared.a", ...stems.map((stem) => `link/${stem}-right.o`), ...reference.map((name) => `link/reference/${name}.o`)];
-            const linked = await compiler.run(["llvm", "wasm-ld", "-o", "cast.wasm", "--entry", "_initialize", ...FLAGS, "lib/crt1-reactor.o", ...given.keys(), ...others, ...LIBRARIES],
+            const linked = await compiler.run(["llvm", "wasm-ld", "-o", "cast.wasm", "--entry", "_initialize", ...FLAGS, ...isRace ? ["--wrap=hit_sphere", "--wrap=pixel_ray"] : [], "lib/crt1-reactor.o", ...given.keys(), ...others, ...LIBRARIES],
                 new Map([...compiler.pack, ...given, ...others.map((path) => [path, objects.get(path).slice()])]));
             if (linked.status !== 0)
                 throw new Error(`your answers cannot be linked: ${linked.stderr.split("\n")[0]}`);

@@ -17,7 +17,7 @@ function tilesOf(pass) {
 }
 
 /**
- * @typedef {{width: number, height: number, samples: number, depth: number, view: number[] | null, caster: string, mistake: number}} Pass
+ * @typedef {{width: number, height: number, samples: number, depth: number, view: number[] | null, caster: string, isRace?: boolean, mistake: number}} Pass
  * @typedef {{program: WebAssembly.Module, scene: string}} Opened what is cast: a scene, by a program
  */
 export class Pool {
@@ -44,7 +44,7 @@ export class Pool {
      * Casts one picture, and stops the one before.
      * @param {Opened} opened
      * @param {Pass} pass
-     * @param {(tile: object, done: {pixels: Uint8ClampedArray<ArrayBuffer>, view: number[]}) => void} onTile
+     * @param {(tile: object, done: {pixels: Uint8ClampedArray<ArrayBuffer>, view: number[], race?: object}) => void} onTile
      * @returns {Promise<void>} when all of it is there
      */
     cast(opened, pass, onTile) {

@@ -3,13 +3,14 @@
 import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
 import { beside, moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
 import { drawStory, storyOf } from "./pixel_story.js";
+import { RACERS, setUpRace } from "./race.js";
 import { showView } from "./room.js";
 import { element } from "./verdict.js";
 
 const FIRST = "three-spheres", OWN = "your own";
 const SCENES = { [FIRST]: "three spheres", "sphereflake-91": "91 spheres", "sphereflake-820": "820 spheres", sunflower: "a sunflower", finale: "the finale" };
 /** Who casts, besides trace_ray: functions of the exercise whose picture is flat, and chapter 08's engines. The first calls the exercise. */
-const CASTERS = { "06-ray-casting": ["image order", "object order"], "08-fast": ["object", "image order", "object order", "bvh", "packet", "tiles", "bins"] };
+const CASTERS = { "06-ray-casting": ["image order", "object order"], "08-fast": ["object", ...Object.keys(RACERS).filter((each) => each !== "object")] };
 const MOST_HANDLES = 9, LONGEST_LINK = 12_000;
 const A_KEY = 0.01; // how far an arrow key moves a thing, in parts of the picture's width
 const KEYS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, -1, 0], ArrowDown: [0, 1, 0], "+": [0, 0, 3], "=": [0, 0, 3], "-": [0, 0, -3] };
@@ -57,6 +58,14 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     const details = element("details", { class: "live-scene" }, element("summary", {}, "A scene, cast by your code ", credit),
         actions, wrong, element("div", { class: "live-body" }, element("div", { class: "stage" }, canvas, rays, handles, mark), element("div", { class: "live-side" }, written, turn, story)));
 
+    const race = stem in CASTERS ? setUpRace({ site, link: async () => (await ask({ do: "program", answers: wanted(), isRace: true })).module,
+        seen: () => ({ scene: text, view: numbersOf(home ?? view.view) }) }) : null;
+    if (race) {
+        actions.insertBefore(button("Race", () => race.start().catch((reason) => { race.stop(); tell(reason.message); })), took);
+        details.append(race.section);
+        document.querySelector("#editor").addEventListener("input", race.stop); // the next edit
+    }
+
     // ---- the picture -----------------------------------------------------------------------------
 
     let text = "", name = "", things = [], editor = null, pixel = null, from = null, segments = [];
@@ -96,6 +105,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     }
     function draw(what) {
         canvas.removeAttribute("data-fine");
+        race?.stop();
         view.show(what);
     }
     async function choose(chosen) {
@@ -248,12 +258,14 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             explain({ column: Number(column), row: Number(row) });
     });
     details.addEventListener("toggle", () => {
-        if (!details.open)
+        if (!details.open) {
             view.pool.sleep();
-        else if (linked !== null)
+            race?.stop();
+        } else if (linked !== null) {
             view.draw();
-        else
+        } else {
             begin().catch((reason) => tell(reason.message));
+        }
     });
     async function begin() {
         view.caster = casters.value;

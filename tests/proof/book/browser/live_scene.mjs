@@ -138,3 +138,34 @@ test("a scene beside the exercise", async (t) => {
     });
     await t.test("nothing went wrong in the page", () => assert.deepEqual(tab.faults, []));
 });
+
+test("a race of both orders and the engines", async () => {
+    const page = await openPage("06-ray-casting.html", { width: 1440, height: 900 });
+    await waitFor("a panel", () => page.$(".live-scene"));
+    await page.press("#reset + button");
+    const isFine = () => page.$eval(".stage canvas", (each) => each.hasAttribute("data-fine")), begin = () => page.$$eval(".live-scene .actions button", (all) => all.find((each) => each.textContent === "Race").click());
+    const race = () => page.$eval(".race", (section) => ({ said: section.querySelector("p").textContent, racers: Object.fromEntries([...section.querySelectorAll("li")].map((each) =>
+        [each.querySelector("b").textContent, { words: each.querySelector("span").textContent, picture: each.querySelector("canvas").toDataURL() }])) }));
+    await waitFor("a picture", isFine);
+    await begin();
+    const { racers } = await waitFor("the end of a race", async () => { const now = await race(); return Object.values(now.racers).filter(({ words }) => /a pixel/.test(words)).length === 7 && now; });
+    const asked = (name) => Number(/([\d.]+) a pixel/.exec(racers[name].words)[1]);
+    assert.equal(new Set(Object.values(racers).map(({ picture }) => picture)).size, 1, "all have the same picture");
+    assert.deepEqual([asked("image order"), asked("object order")], [3, 3], "every pixel, by every sphere");
+    // The lesson of chapter 08: 21.1 % of these questions; and a pixel more at each side, of 160 x 120.
+    assert.ok(asked("object") >= 0.6 && asked("object") <= 0.75 && asked("bins") <= asked("object"), JSON.stringify(Object.entries(racers).map(([name, { words }]) => [name, words])));
+    await page.shot("race", await page.$(".live-scene"));
+    assert.deepEqual(await seriousFindings(page), []);
+    // The next edit ends one.
+    await page.$eval(".live-scene select", (each) => { each.value = "sphereflake-820"; each.dispatchEvent(new Event("change")); });
+    await waitFor("many spheres", () => page.$eval(".live-scene", (each) => !each.querySelector('.handles [data-kind="s"]') && each.querySelector(".stage canvas").hasAttribute("data-fine")));
+    await begin();
+    await waitFor("a race", async () => /^Casting/.test((await race()).said));
+    await page.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
+    await page.keyboard.type(" ");
+    assert.equal((await race()).said, "The race was stopped.");
+    const left = Object.keys((await race()).racers).length;
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    assert.equal(Object.keys((await race()).racers).length, left);
+    assert.deepEqual(page.faults, []);
+});
