@@ -113,6 +113,8 @@ $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $$(addprefix $(B)/answer_names/,$$(
 # What casts in a page, tile by tile: with the reference's answers; and as an object, for those of a student.
 CASTING := $(call wasm_objects,chapters/book/cast/cast.c $(wildcard chapters/08-fast/engines/*.c) \
 	chapters/06-ray-casting/explain.c chapters/06-ray-casting/figures/shown.c chapters/07-shading/explain_light.c)
+# Vectors of 16 bytes: every browser since 2023 has them, and a picture takes half the time.
+$(filter %_lanes.o,$(CASTING)): WASM_EXTRA = $(FOR_LANES) -ffp-contract=off -msimd128
 CASTING_LINK := $(WASM)/link/cast.o
 BOOK_CASTING := $(if $(FROM),,$(BOOK)/programs/cast.wasm)
 $(BOOK)/programs/cast.wasm: $(CASTING) $(call wasm_objects,$(foreach s,$(STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a

@@ -14,7 +14,6 @@
 
 // A ray in the units of the hierarchy. Where it starts is the sum of two floats. Along each axis,
 // it meets first the sides of a node's boxes from number first on.
-typedef double FourDoubles __attribute__((vector_size(32)));
 typedef struct {
     Four start, rest, direction, inverse; // inverse: 1 / direction
     FourInts first, last;
@@ -24,18 +23,19 @@ typedef struct {
 static inline void set_slopes(Slopes *slopes, const WideHierarchy *wide, Vector from, Vector v)
 {
     from = times(wide->scale, minus(from, vector_at(wide->corner)));
-    const FourDoubles at = {from.x, from.y, from.z, 0};
-    const Four direction = {(float)v.x, (float)v.y, (float)v.z, 1};
-    const Four size = (Four)((FourInts)direction & INT_MAX), tiny = (Four){0} + 1e-18F;
-    slopes->start = __builtin_convertvector(at, Four);
-    slopes->rest =
-        __builtin_convertvector(at - __builtin_convertvector(slopes->start, FourDoubles), Four);
-    slopes->direction = direction;
-    slopes->inverse =
-        1 / (Four)(((FourInts)direction & ~(size < tiny)) | ((FourInts)tiny & (size < tiny)));
-    const FourInts backwards = direction <= -tiny;
-    slopes->first = LANES * ((FourInts){0, 2, 4, 0} - backwards);
-    slopes->last = LANES * ((FourInts){1, 3, 5, 0} + backwards);
+    const double at[] = {from.x, from.y, from.z};
+    const float directions[] = {(float)v.x, (float)v.y, (float)v.z}, tiny = 1e-18F;
+    *slopes = (Slopes){0};
+    for (int i = 0; i < 3; i++) {
+        const float start = (float)at[i], direction = directions[i];
+        const bool backwards = direction <= -tiny;
+        slopes->start[i] = start;
+        slopes->rest[i] = (float)(at[i] - start);
+        slopes->direction[i] = direction;
+        slopes->inverse[i] = 1 / (fabsf(direction) < tiny ? tiny : direction);
+        slopes->first[i] = LANES * (2 * i + backwards);
+        slopes->last[i] = LANES * (2 * i + !backwards);
+    }
 }
 
 // Where the ray enters the boxes of a node; infinite if it does not enter before farthest. The

@@ -96,11 +96,12 @@ export class SceneView {
         return { width: Math.ceil(width / divided), height: Math.ceil(height / divided), samples, depth: this.depth, view, caster: this.caster, mistake: this.mistake };
     }
 
+    /** The last pass has all samples: a picture of its size with one would take a quarter of its time, and be seen for a moment. */
     finer() {
         const passes = [];
         for (let divided = this.divided / 2; divided >= 1; divided /= 2)
-            passes.push(this.pass(divided));
-        return this.samples > 1 ? [...passes, this.pass(1, this.samples)] : passes;
+            passes.push(this.pass(divided, divided === 1 ? this.samples : 1));
+        return passes;
     }
 
     /** Tiles of a fine picture appear as they come; those of a coarse one together, or it would tear. */
