@@ -14,18 +14,22 @@ is_right() {
 # The reference's chapters, and no answer to the task: its blank is used.
 answers=$scratch/answers
 mkdir -p "$answers/optional" && cp solutions/*.c "$answers"
-is_missing() {
-    ! optional ANSWERS="$answers" TASK="$1" && says "$1: needs " && says "exercises/optional/$1.c"
+refused() { # TASK WORDS...
+    ! optional ANSWERS="$answers" TASK="$1" || return 1
+    shift
+    for words; do
+        says "$words" || return 1
+    done
 }
 for task in $tasks; do
     check "the solution of $task draws its picture" is_right "$task"
-    check "its blank draws none, and make names what is missing" is_missing "$task"
+    check "its blank draws none, and make names what is missing" refused "$task" "$task: needs " "exercises/optional/$task.c"
 done
 
 # One that is wrong: half the angle.
 sed 's|degrees / 2 \* PI|degrees / 4 * PI|' solutions/optional/01-fisheye.c >"$answers/optional/01-fisheye.c"
 says_how_wrong() {
-    ! optional ANSWERS="$answers" TASK=fisheye && says ' of 57600 pixels differ, by up to ' &&
+    refused fisheye ' of 57600 pixels differ, by up to ' &&
         panels=$(sed -n 's/.*yours, expected, difference: //p' "$scratch/said") && [ -s "$panels" ]
 }
 check 'a wrong picture is counted, and shown beside the expected one' says_how_wrong
@@ -36,20 +40,11 @@ is_listed() {
 }
 check 'the list has all tasks with their state' is_listed
 printf 'this is not C\n' >"$answers/optional/01-fisheye.c"
-does_not_compile() {
-    ! optional ANSWERS="$answers" TASK=fisheye && says 'error:'
-}
-check 'a task that does not compile is an error' does_not_compile
+check 'a task that does not compile is an error' refused fisheye 'error:'
 sed 's|double radius = hypot(right, up), angle|double radius = *(volatile double *)16, angle|' \
     solutions/optional/01-fisheye.c >"$answers/optional/01-fisheye.c"
-crashes() {
-    ! optional ANSWERS="$answers" TASK=fisheye && says '01-fisheye: no picture: '
-}
-check 'a task that crashes has no picture' crashes
-unknown() {
-    ! optional TASK=nothing && says 'TASK=nothing: no such task'
-}
-check 'an unknown task is refused' unknown
+check 'a task that crashes has no picture' refused fisheye '01-fisheye: no picture: '
+check 'an unknown task is refused' refused nothing 'TASK=nothing: no such task'
 rm -rf "build/${answers:?}"
 
 finish optional
