@@ -53,7 +53,7 @@ plot @behind \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:(own("eye")) with labels tc rgb blue offset 0,-1 title "eye, label", \
+    $eye using @point:(own("eye")) with labels left tc rgb blue offset -1,-1 title "eye, label", \
     $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
         title "picture", \
     for [_=1:done>0] $sets @so_far using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder title "picture, pixels", \
