@@ -85,7 +85,7 @@ static bool is_text(const char *english, Part text, Part *parts, int room)
 
 static void print_part(FILE *out, Part text)
 {
-    Part parts[MOST_PARTS];
+    Part parts[MOST_PARTS] = {{"", 0}};
     int i = 0, part = 0;
     while (i < count && !is_text(texts[i].english, text, parts, MOST_PARTS))
         i++;
@@ -94,7 +94,7 @@ static void print_part(FILE *out, Part text)
         return;
     }
     for (const char *c = texts[i].own; *c != '\0'; c++)
-        if (is_place(c)) {
+        if (is_place(c) && part < MOST_PARTS) {
             print_part(out, parts[part++]);
             c++;
         } else {
