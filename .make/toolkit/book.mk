@@ -278,11 +278,11 @@ book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any sta
 	@echo "The course is in $(BOOK): copy it to any static host."
 .PHONY: book
 
-# In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one.
+# In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one; BROWSERS=webkit: WebKitGTK, a part of it.
 BROWSERS ?= chromium firefox
 browsers-are-here:
 	@for browser in $(BROWSERS); do \
-		case $$browser in chromium) names="$$CHROMIUM chromium chromium-browser google-chrome" ;; *) names="$$FIREFOX firefox-esr firefox" ;; esac; \
+		case $$browser in chromium) names="$$CHROMIUM chromium chromium-browser google-chrome" ;; webkit) names=WebKitWebDriver ;; *) names="$$FIREFOX firefox-esr firefox" ;; esac; \
 		found=; for name in $$names; do command -v $$name >/dev/null && found=yes; done; \
 		[ -n "$$found" ] || { echo "check-book: $$browser is missing: 'make setup FOR=contributor' installs it" >&2; exit 1; }; done
 .PHONY: browsers-are-here
@@ -291,7 +291,8 @@ check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ##+ test
 	@node tests/proof/book/verdicts.mjs $(BOOK) .
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
 	@running=; for browser in $(BROWSERS); do \
-		for test in $(wildcard tests/proof/book/browser/*.mjs); do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
+		case $$browser in webkit) tests=tests/proof/book/webkit.mjs ;; *) tests="$(wildcard tests/proof/book/browser/*.mjs)" ;; esac; \
+		for test in $$tests; do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
 		running="$$running $$!"; \
 	done; failed=0; for one in $$running; do wait $$one || failed=1; done; exit $$failed
 else
