@@ -77,39 +77,8 @@ static void tell_light(const Scene *scene, int i, Ray ray, Hit hit, vec3 normal,
                    .s);
 }
 
-// The surface is seen from the side of the eye, also from inside.
-static vec3 normal_to_eye(Sphere sphere, vec3 point, Ray ray)
-{
-    vec3 normal = surface_normal(sphere, point);
-    return vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
-}
-
-// The rays that mirrors send on, as trace_ray follows them.
-static void tell_mirrors(const Scene *scene, Ray ray, Hit hit, int depth)
-{
-    for (int i = 1; i <= depth && hit.sphere >= 0; i++) {
-        Sphere sphere = scene->spheres[hit.sphere];
-        if (!(scene_surface(scene, hit.sphere)->specular > 0))
-            return;
-        vec3 point = ray.origin + hit.t * ray.direction;
-        vec3 normal = normal_to_eye(sphere, point, ray);
-        ray = (Ray){offset_from_surface(sphere, point, normal),
-                    mirror_direction(ray.direction, normal)};
-        hit = nearest_hit(ray, scene);
-        bool meets = hit.sphere >= 0;
-        story_segment("mirror", ray.origin, ray.origin + (meets ? hit.t : 1) * ray.direction);
-        story_heading("Mirrored ray %d", i);
-        story_by("mirror_direction");
-        story_line("direction", "%s", vec3_text(ray.direction).s);
-        story_by("nearest_hit");
-        if (meets)
-            story_line("meets sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
-        else
-            story_line("meets nothing", "the background, %s", vec3_text(scene->background).s);
-    }
-}
-
-void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel pixel, int depth)
+void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel pixel, int depth,
+                   TellMirrors *tell_mirrors)
 {
     Ray ray = pixel_ray(camera, screen, pixel);
     Hit hit = nearest_hit(ray, scene);
@@ -122,7 +91,9 @@ void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel p
     }
     Sphere sphere = scene->spheres[hit.sphere];
     vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = normal_to_eye(sphere, point, ray);
+    vec3 normal = surface_normal(sphere, point);
+    if (vec3_dot(normal, ray.direction) > 0) // from inside
+        normal = -normal;
     vec3 start = offset_from_surface(sphere, point, normal);
     story_segment("ray", ray.origin, point);
     story_segment("normal", point, point + normal);
@@ -136,7 +107,8 @@ void explain_light(const Scene *scene, Camera camera, Resolution screen, Pixel p
     tell_surface(scene, hit.sphere);
     for (int i = 0; i < scene->light_count; i++)
         tell_light(scene, i, ray, hit, normal, start);
-    tell_mirrors(scene, ray, hit, depth);
+    if (tell_mirrors != NULL)
+        tell_mirrors(scene, ray, hit, depth);
     story_heading("Together");
     story_by("shade");
     story_line("shade", "%s", vec3_text_to(shade(scene, ray, hit), 4).s);

@@ -158,7 +158,7 @@ int main(int argc, char **argv)
                       pixel.row, drawing.image.size.width, drawing.image.size.height);
     if (argc == 1 || pixel.column >= 0)
         explain_light(scene, drawing.camera, drawing.image.size, argc == 1 ? in_the_light : pixel,
-                      lighting.style.depth);
+                      lighting.style.depth, NULL);
     if (pixel.column >= 0)
         return story_end();
     keep_term(scene, flat ? TERM_FLAT : term);

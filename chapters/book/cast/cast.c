@@ -10,6 +10,7 @@
 #include "chapters/shared/scene_camera.h"
 #include "common/clock.h"
 #include "common/story.h"
+#include "common/text.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
@@ -257,6 +258,31 @@ const uint8_t *cast(int width, int height, int samples, int depth, int left, int
     return pixels;
 }
 
+static void tell_mirrors(const Scene *in, Ray ray, Hit hit, int depth)
+{
+    for (int i = 1; i <= depth && hit.sphere >= 0; i++) {
+        Sphere sphere = in->spheres[hit.sphere];
+        if (!(scene_surface(in, hit.sphere)->specular > 0))
+            return;
+        vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
+        if (vec3_dot(normal, ray.direction) > 0) // from inside
+            normal = -normal;
+        ray = (Ray){offset_from_surface(sphere, point, normal),
+                    mirror_direction(ray.direction, normal)};
+        hit = nearest_hit(ray, in);
+        bool meets = hit.sphere >= 0;
+        story_segment("mirror", ray.origin, ray.origin + (meets ? hit.t : 1) * ray.direction);
+        story_heading("Mirrored ray %d", i);
+        story_by("mirror_direction");
+        story_line("direction", "%s", vec3_text(ray.direction).s);
+        story_by("nearest_hit");
+        if (meets)
+            story_line("meets sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
+        else
+            story_line("meets nothing", "the background, %s", vec3_text(in->background).s);
+    }
+}
+
 // Prints the story of a pixel, from its column and row to its color, by the functions that are
 // linked.
 EXPORTED(explain_pixel) bool explain_pixel(int width, int height, int depth, int column, int row);
@@ -267,6 +293,6 @@ bool explain_pixel(int width, int height, int depth, int column, int row)
         return false;
     story_is_for_page = true;
     explain(&shot, "scene.nff");
-    explain_light(&scene, shot.camera, shot.size, shot.pixel, depth);
+    explain_light(&scene, shot.camera, shot.size, shot.pixel, depth, tell_mirrors);
     return fflush(stdout) == 0;
 }
