@@ -71,9 +71,10 @@ bool plot_block_end(Plot *plot); // whether it differs from what is right
 // $NAME: a picture, as a PNG in base64, which the layout decodes for gnuplot
 // (common/figure/pictures.gp). If right answers make another picture, $NAME is that one, and
 // $your_NAME yours. Right answers may round in different ways, so pictures are compared by the mean
-// colors of their parts, bytes from 0 to 255, which may differ by so much: by ROUNDING, mostly.
+// colors of their parts, bytes from 0 to 255, which may differ by so much: by COLOR_ROUNDING,
+// mostly.
 void plot_picture(Plot *plot, const char *name, const Image *image, double allowed);
-#define ROUNDING 1.0
+#define COLOR_ROUNDING 1.0
 
 // Is the figure dragged just now, so that a coarser picture will do?
 bool plot_is_dragged(const Plot *plot);

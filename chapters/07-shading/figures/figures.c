@@ -211,10 +211,10 @@ static void flat_and_shaded(Plot *plot, void *given)
     style.samples = dragged ? 1 : 2;
     render(&drawing.scene, drawing.camera, style, &image);
     plot_include(plot, "common/figure/pictures.gp");
-    plot_picture(plot, "shaded", &image, ROUNDING);
+    plot_picture(plot, "shaded", &image, COLOR_ROUNDING);
     keep_term(&drawing.scene, TERM_FLAT);
     render(&drawing.scene, drawing.camera, style, &image);
-    plot_picture(plot, "flat", &image, ROUNDING);
+    plot_picture(plot, "flat", &image, COLOR_ROUNDING);
     image_free(&image);
 }
 

@@ -398,7 +398,7 @@ void self_hit(Plot *plot, void *given)
     // Right answers round in different ways, and each has specks of its own.
     picture_data(plot, "specks", at_the_point, light.position, 1, 255);
     picture_data(plot, "smooth", offset_from_surface, light.position, plot_is_dragged(plot) ? 1 : 3,
-                 ROUNDING);
+                 COLOR_ROUNDING);
 }
 
 // ---- shadow-and-mirror -------------------------------------------------------------------------

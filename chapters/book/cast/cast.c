@@ -174,8 +174,7 @@ static bool by_order(const Tile *tile, const char *order)
     return ready;
 }
 
-// ---- a race: how often each pixel is asked, and when it gets its color
-// ---------------------------
+// ---- a race: how often each pixel is asked, and when it is painted ------------------------------
 
 // Only a program for races is linked so that these two are called (link_cast.js).
 Ray __real_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
