@@ -148,10 +148,12 @@ $(WASM_DRAW): $(B)/weak.h
 $(WASM)/link/drawing.o: $(WASM_DRAW) $(WASM)/$(INSTEAD)/steps.o
 $(BOOK_STEMS:%=$(WASM)/link/%-program.o): $(WASM)/link/%-program.o: $$(call wasm_program,$$*) $(WASM)/$(INSTEAD)/steps.o
 $(CASTING_LINK): $(CASTING)
+# The linker of the page would need the whole compiler to read that an object has vectors.
 $(WASM)/link/drawing.o $(CASTING_LINK) $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
+	$(Q)llvm-objcopy --remove-section=target_features $@
 # Only definitions are renamed: the reference calls the functions of a student, also those of its own chapter.
 $(STEMS:%=$(WASM)/right/%.c): $(WASM)/right/%.c: $$(call exact_of,$$*) $(WASM)/names/%
 	$(Q)mkdir -p $(@D)

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { gunzipSync } from "node:zlib";
+import { castLinker } from "../../../chapters/book/cast/link_cast.js";
 import { Compiler, Program, load, unpack } from "../../../chapters/book/compiler.js";
 import { toolsOf } from "../../../chapters/book/tools.js";
 import { Files } from "../../../chapters/book/wasi.js";
@@ -36,6 +37,13 @@ test("every solution is compiled without the whole compiler, to the same object"
         assert.ok(names.includes("answer") && names.includes("allow_steps"), names.join());
     }
     assert.ok(!fetched.includes("compiler/whole.wasm.xz"));
+});
+
+test("a scene is cast by a program that is linked without the whole compiler", async () => {
+    const { link } = castLinker(small, unpack(gunzipSync(readFileSync(new URL("pictures.pack.gz", site))))), of = "05-quadratic";
+    const made = await link({ [of]: { text: solution(of), used: ["hit_sphere"] } });
+    assert.deepEqual(made.yours, ["hit_sphere"]);
+    assert.equal(small.fallbacks, 0);
 });
 
 test("a picture is linked without the whole compiler, also if the answers of other chapters are missing", async () => {
