@@ -256,7 +256,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     let live = null;
     if (stem >= "04" && document.documentElement.dataset.figures !== "static")
         import("./live_scene.js").then(({ setUpLiveScene }) => { live = setUpLiveScene({ stem, site, course, answers, ask: (what) => helper.ask(what, showProgress) }); })
-            .catch(() => {}); // the exercise goes on without it
+            .catch(reportError); // the exercise goes on without it
 
     // ---- hints -----------------------------------------------------------------------------------
 
