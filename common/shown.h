@@ -2,7 +2,8 @@
 // 1.2 · 10⁻⁶. What people may copy into a program has numbers as C reads them (text.h).
 //
 // A number that has at most 6 digits is shown with all of them. Any other one has 4, and all that
-// are before its point; one beside a power of ten has 4. So the same number looks the same everywhere.
+// are before its point; one beside a power of ten has 4. So the same number looks the same
+// everywhere.
 #ifndef COMMON_SHOWN_H
 #define COMMON_SHOWN_H
 
