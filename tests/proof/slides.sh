@@ -126,7 +126,7 @@ for shape in 16:9 4:3; do
 done
 # The codes for phones, if the address of the site is known. They are links as well.
 has_codes() {
-    ADDRESS=https://example.org/a/ lecture_as coded 16:9 dark && no_complaints coded || return
+    ADDRESS=https://example.org/a/ lecture_as coded 16:9 light && no_complaints coded || return
     pdfinfo -url "$lecture/coded.pdf" | grep -o 'https://example.org.*' | uniq | diff - "$scratch/codes"
 }
 has_no_codes() {
