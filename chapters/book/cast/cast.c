@@ -257,6 +257,7 @@ const uint8_t *cast(int width, int height, int samples, int depth, int left, int
     return pixels;
 }
 
+// The rays that mirrors send on, as trace_ray follows them.
 static void tell_mirrors(const Scene *in, Ray ray, Hit hit, int depth)
 {
     for (int i = 1; i <= depth && hit.sphere >= 0; i++) {
