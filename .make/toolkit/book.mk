@@ -178,7 +178,7 @@ else
 $(BOOK_SPHERES): $(SPHERES) $(BOOK)/programs/07-shading.wasm chapters/book/run_program.mjs
 	$(call say,record,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $<
+	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $< && touch $@
 endif
 
 # All of that in one file, which is fetched when the first picture is drawn. Paths as in the plan.

@@ -14,6 +14,6 @@ const result = run(new WebAssembly.Module(readFileSync(path)), { args: [basename
 process.stdout.write(result.stdout);
 process.stderr.write(result.stderr + (result.trap ? `${path}: ${result.error}\n` : ""));
 for (const [name, bytes] of result.files.all())
-    if (bytes.length !== (before.get(name)?.length ?? 0))
+    if (Buffer.compare(bytes, before.get(name) ?? new Uint8Array(0)) !== 0)
         writeFileSync(name, bytes);
 process.exitCode = result.status ?? 1;
