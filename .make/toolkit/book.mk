@@ -137,7 +137,8 @@ $(BOOK)/programs/mistaken.wasm: $(WASM)/chapters/book/cast/mistaken.o $(CASTING)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -mexec-model=reactor -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
 $(BOOK)/mistakes.json.gz: chapters/mistakes/questions.txt chapters/mistakes/show_mistakes.py $(call known,wrong) | $(B)/tests/mistaken/06-ray-casting
-	$(Q)$(SHOW_MISTAKES) gallery $(B) | gzip -9nc > $@
+	$(Q)mkdir -p $(@D) $(WASM)
+	$(Q)$(SHOW_MISTAKES) gallery $(B) > $(WASM)/mistakes.json && gzip -9nc $(WASM)/mistakes.json > $@
 
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
