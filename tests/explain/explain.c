@@ -454,11 +454,10 @@ static const char *translated(const char *letter, size_t line, const char *other
     return found[0] == '\0' ? "" : text_format("%s" UNBROKEN "is" UNBROKEN "%s", letter, found);
 }
 
-// Where in this line a value has a part of this name: "camera.width or view.width", or "". owner:
-// their type, "" if there are several.
-static const char *whole_of(const char *part, size_t line, const char **owner)
+// Where in this line a value has a part of this name: "camera.width or view.width", or "".
+static const char *whole_of(const char *part, size_t line)
 {
-    const char *found = *owner = "";
+    const char *found = "";
     for (const Variable *one = NULL; (one = variable_after(one, line)) != NULL;) {
         // Its own parts, or image->size.width.
         const Variables *fields = &declared(one->type, TYPE)->fields;
@@ -467,8 +466,7 @@ static const char *whole_of(const char *part, size_t line, const char **owner)
             bool is_own = text_is(field->name, part);
             if (!is_own && (field->is_pointer || declared_field(field->type, part) == NULL))
                 continue;
-            const char *type = is_own ? one->type : field->type, *whole = part_of(one, field->name);
-            *owner = found[0] == '\0' || text_is(*owner, type) ? type : "";
+            const char *whole = part_of(one, field->name);
             found = one_or_the_other(found, is_own ? whole : text_format("%s.%s", whole, part));
         }
     }
@@ -548,7 +546,7 @@ static const char *letters(unsigned kind, size_t begins)
 
 static void find_letter(Mistake *mistake)
 {
-    const char *owner, *name = mistake->name;
+    const char *name = mistake->name;
     size_t line = mistake->line;
     bool is_letter = mistake->kinds & UNKNOWN_VARIABLE && text_matches(name, "^[A-Za-z]$") &&
                      answer_loop_of(name, line) == 0;
@@ -557,7 +555,7 @@ static void find_letter(Mistake *mistake)
                                : letter_of_whole(mistake);
     if (mistake->translation[0] != '\0')
         mistake->kinds |= SLIDES_LETTER;
-    else if (is_letter && whole_of(name, line, &owner)[0] == '\0')
+    else if (is_letter && whole_of(name, line)[0] == '\0')
         mistake->kinds |= OTHER_LETTER;
 }
 
@@ -820,20 +818,6 @@ static const char *struct_operand(const Mistake *mistake)
     return found;
 }
 
-// Whether two vectors are multiplied in this line.
-static bool has_vector_product(const Mistake *mistake)
-{
-    for (const char *at = mistake->code; (at = strchr(at, '*')) != NULL; at++) {
-        const char *left = text_part(mistake->code, 0, (size_t)(at - mistake->code));
-        left = text_expression_at_end(text_replaced(left, " +$", ""));
-        const char *right = text_group(at, "^\\* *([A-Za-z_0-9.]*(->[A-Za-z_0-9.]*)*)", 1);
-        if (text_is(type_of(left, mistake->line), "vec3") &&
-            text_is(type_of(right, mistake->line), "vec3"))
-            return true;
-    }
-    return false;
-}
-
 // ---- functions and their arguments -------------------------------------------------------------
 
 // Whose argument is wrong, or "".
@@ -846,64 +830,6 @@ static const char *called(const Mistake *mistake)
     return text_group(text_without_brackets(mistake->ahead), "([A-Za-z_0-9]+)\\([^()]*$", 1);
 }
 
-// The arguments of a call, from after its bracket on.
-static Lines arguments_of(const char *text)
-{
-    Lines arguments = {NULL, 0};
-    int depth = 0;
-    for (size_t begin = 0, i = 0; text[i] != '\0' && depth >= 0; i++) {
-        depth += (strchr("({[", text[i]) != NULL) - (strchr(")}]", text[i]) != NULL);
-        if (depth < 0 || (text[i] == ',' && depth == 0)) {
-            lines_add(&arguments, text_part(text, begin, i - begin));
-            begin = i + 1;
-        }
-    }
-    return arguments;
-}
-
-static bool is_same_type(const char *type, const char *other)
-{
-    return text_is(type, other) || (is_number(type) && is_number(other));
-}
-
-// Whether the wrong ones of the arguments have the types that others of the wrong ones should have.
-static bool is_other_order(const Lines *arguments, const Variables *wanted, size_t line)
-{
-    enum { MOST = 20 };
-    const char *given[MOST];
-    bool is_wrong[MOST], has_wrong = false;
-    if (arguments->count != wanted->count || wanted->count > MOST)
-        return false;
-    for (size_t k = 0; k < wanted->count; k++) {
-        given[k] = type_of_argument(arguments->line[k], line);
-        is_wrong[k] = given[k][0] != '\0' && !is_same_type(given[k], wanted->item[k].type);
-        has_wrong = has_wrong || is_wrong[k];
-    }
-    for (size_t k = 0; k < wanted->count; k++) {
-        bool is_wanted = !is_wrong[k];
-        for (size_t l = 0; l < wanted->count; l++)
-            is_wanted = is_wanted || (is_wrong[l] && is_same_type(given[k], wanted->item[l].type));
-        if (!is_wanted)
-            return false;
-    }
-    return has_wrong;
-}
-
-// Whether a call, in this statement, has its arguments in another order than the prototype.
-static bool is_swapped(const Mistake *mistake)
-{
-    const char *text = answer_statement_text(mistake->line), *name = called(mistake);
-    const Variables *wanted = &declared(name, FUNCTION)->fields;
-    while ((text = text_word(text, name)) != NULL) {
-        text += strlen(name);
-        const char *call = text_group(text, "^ *\\((.*)", 1);
-        Lines arguments = arguments_of(call);
-        if (is_other_order(&arguments, wanted, mistake->line))
-            return true;
-    }
-    return false;
-}
-
 // Functions of this chapter and of earlier ones, except this one, that convert one type to another.
 static const char *makers(const Mistake *mistake)
 {
@@ -911,7 +837,8 @@ static const char *makers(const Mistake *mistake)
     for (size_t i = 0; declared(wanted, TYPE)->parts[0] != '\0' && i < headers.count; i++) {
         const Declared *maker = &headers.item[i];
         const char *arguments = strchr(maker->prototype, '(');
-        if (text_is(maker->type, wanted) && text_word(arguments, mistake->given) != NULL &&
+        if (text_is(maker->type, wanted) && maker->fields.count > 0 &&
+            text_is(maker->fields.item[0].type, mistake->given) &&
             text_word(arguments, wanted) == NULL && !text_has(arguments, "*") &&
             !text_is(maker->name, answer_function(mistake->line)->name) &&
             text_begins(maker->header, "exercises") && strcmp(maker->header, headers.contract) <= 0)
@@ -954,16 +881,6 @@ static const char *name_like(const Mistake *mistake)
     return "";
 }
 
-// The name that the compiler suggests.
-static const char *suggested(const Mistake *mistake)
-{
-    static const char suggestion[] = "did you mean '([A-Za-z_0-9]+)'";
-    const char *name = text_group(mistake->text, suggestion, 1);
-    for (size_t i = 0; i < mistake->body.count && name[0] == '\0'; i++)
-        name = text_group(mistake->body.line[i], suggestion, 1);
-    return strcasecmp(name, mistake->name) == 0 ? "" : name;
-}
-
 // Declared here, as far as the text shows, and not by a loop that has ended: the compiler lost it
 // because of another mistake.
 static bool is_lost(const Mistake *mistake)
@@ -991,15 +908,6 @@ static bool has_comma(const Mistake *mistake)
 
 #define NO_STAR "^(invalid type argument of unary '\\*'|indirection requires pointer)"
 
-// What is wrong with x^2 and with x**2; or "".
-static const char *power_sign(const Mistake *mistake)
-{
-    if (text_begins(mistake->text, "invalid operands to binary") && mistake->behind[0] == '^')
-        return "^ is exclusive or in C";
-    return text_matches(mistake->text, NO_STAR) && text_has(mistake->code, "**") ? "C has no **"
-                                                                                 : "";
-}
-
 // The line of the loop, or the if, that ends at once: of the mistake, or where its name is
 // declared.
 static size_t ended_loop(const Mistake *mistake)
@@ -1013,6 +921,7 @@ static size_t ended_loop(const Mistake *mistake)
 
 // Of abs, which compiles if <stdlib.h> is included, and loses the digits after the point.
 #define INTEGER_ABS "abs is for whole numbers. For a double, write fabs (#include <math.h>)."
+#define POWER ": write x * x or pow(x, y), and vec3_dot(v, v) for the square of a vector."
 #define LOST_COMMA "the value of (a, b) is b alone: the part before the comma is lost."
 #define LOST_RETURN "the function ends without return: its return value is then undefined."
 #define DECLARE_NEW "declare a new variable with its type, as in double x or vec3 v."
@@ -1022,7 +931,9 @@ static size_t ended_loop(const Mistake *mistake)
     "vec3_dot(v, w), vec3_length(v) or v[0]."
 #define PROTOTYPE " Its prototype is  {PROTOTYPE CALLED}  in {HEADER CALLED}."
 #define WHOSE_PARTS ", whose parts are {PARTS AHEAD_TYPE}.{LOOK?}"
-#define ENDED_LOOP ": the next statement is no longer part of it. Remove the ;."
+#define ENDED_LOOP                                                                                 \
+    "the ; after the bracket in line {ENDED} ends the statement: the next one is no longer part "  \
+    "of it. Remove the ;."
 #define NOTHING "nothing here is called "
 
 #define WRONG_ARROW                                                                                \
@@ -1097,16 +1008,12 @@ static const Rule rules[] = {
      .help = "= assigns; to compare, write ==."},
 
     // A type, or a { or [, where there should be a value.
-    {ANY, TYPE_FOUND, .behind = "^vec3 *[({]",
-     .help = "{NAME} is a type, not a function: write {WRITTEN NAME}."},
     {ANY, TYPE_FOUND, .behind = "^[A-Za-z0-9]+ *[({]",
-     .help = "{NAME} is a type, not a function: {WRITTEN NAME} makes one."},
+     .help = "{NAME} is a type, not a function: write {WRITTEN NAME}."},
     {ANY, TYPE_FOUND, .ahead = "[(,] *$", .needs = "{WRITTEN NAME}",
      .help = "in a call, write only the values, without their types."},
     {ANY, "^expected expression", .behind = "^[{[]",
-     .help = "{a VECTOR_HERE} is written {WRITTEN VECTOR_HERE}."},
-    {ANY, "^expected expression", .behind = "^[{[]",
-     .help = "put the type in parentheses before the braces: {WRITTEN TYPE_HERE}."},
+     .help = "{a TYPE_HERE} is written {WRITTEN TYPE_HERE}."},
     {ANY, "^expected expression", .behind = "^[{[]",
      .help = "put the type in parentheses before the braces, as in (Ray){origin, direction}."},
 
@@ -1135,11 +1042,7 @@ static const Rule rules[] = {
     {ANY, NO_PARTS, .needs = "{VECTOR_VALUE}",
      .help = "a vec3 has no named parts: its components are v[0], v[1], v[2]."},
     {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}",
-     .help = "{VALUE} is a number and has no parts. {PART} is a part of "
-             "{a OWNER PART}. Write {WHOLE PART}."},
-    {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}",
-     .help = "{VALUE} is a number and has no parts. {PART} is a part of others. "
-             "Write {WHOLE PART}."},
+     .help = "{VALUE} is a number and has no parts. Write {WHOLE PART}."},
     {ANY, NO_PARTS, .needs = "{NUMBER_VALUE}", .help = "{VALUE} is a number and has no parts."},
     {ANY, NO_PARTS,
      .help = "the value before the dot has no named parts: a number has none, and the components "
@@ -1147,14 +1050,13 @@ static const Rule rules[] = {
     {ANY, OTHER_MEMBER,
      .help = "the parts of {a MEMBER} are {PARTS MEMBER} ({HEADER MEMBER}).{SLIDES?}"},
 
-    {ANY, .help = "{POWER_SIGN}: for v . v, write vec3_dot({VECTOR_BASE}, {VECTOR_BASE})."},
-    {ANY, .help = "{POWER_SIGN}: write pow({BASE}, {OTHER_POWER})."},
-    {ANY, .help = "{POWER_SIGN}: write {BASE} * {BASE}."},
+    {ANY, "^invalid operands to binary", .behind = "^\\^", .help = "^ is exclusive or in C" POWER},
+    {ANY, NO_STAR, .code = "\\*\\*", .help = "C has no **" POWER},
     {ANY, NO_STAR,
      .help = "a * in front of a name reads through a pointer, and this is not a pointer: remove "
              "the *."},
     {ANY, "^invalid (suffix|digit) .* (integer|decimal|floating) constant",
-     .help = "a * is missing: {FACTORS}."},
+     .help = "a * is missing: 2x is 2 * x."},
     {ANY, "^called object",
      .help = "{ELEMENT}(...) is a call of a function; an element of an array is {ELEMENT}[...]."},
     {ANY, "^called object", .code = BEFORE_WORD "[0-9.]+ *\\(|\\) *\\(",
@@ -1168,15 +1070,11 @@ static const Rule rules[] = {
     {ANY, .needs = "{COMMA}",
      .help = LOST_COMMA " {A COMMA_TYPE} is written {WRITTEN COMMA_TYPE}."},
     {ANY, .needs = "{COMMA}", .help = LOST_COMMA},
-    {VECTOR, .needs = "{PRODUCT}",
-     .help = "v * w multiplies component by component and gives a vector; for a number, write "
-             "vec3_dot(v, w)."},
     {VECTOR, "initializ", .help = VECTOR_GIVEN " Or is the type of the variable wrong?"},
     {VECTOR, .help = VECTOR_GIVEN},
 
     // One type is wanted, and another given.
     {TYPES, .needs = "{FUNCTION_GIVEN}", .help = "{HERE} is a function here. " LIKE_CALL},
-    {TYPES, .needs = "{SWAPPED}", .help = "{WHAT}: the arguments are in another order." PROTOTYPE},
     {WANTS_POINTER, "assigning", .needs = "{NUMBER_GIVEN}",
      .help = "{WHAT}. One of the numbers there is {TARGET?}[i]."},
     {WANTS_POINTER, "assigning",
@@ -1195,9 +1093,7 @@ static const Rule rules[] = {
     {TYPES, .help = "{WHAT}. {A WANTED} is one of {VALUES WANTED} ({HEADER WANTED})."},
     {TYPES, .help = "{WHAT}. Its parts are {PARTS GIVEN}."},
     {TYPES, .help = "{WHAT}."},
-    {ENDS_AT_ONCE, .code = BEFORE_WORD "for *\\(",
-     .help = "the ; after for (...) in line {ENDED} ends the loop" ENDED_LOOP},
-    {ENDS_AT_ONCE, .help = "the ; after the bracket in line {ENDED} ends the statement" ENDED_LOOP},
+    {ENDS_AT_ONCE, .help = ENDED_LOOP},
 
     // A name that nobody has declared.
     {UNKNOWN, .name = "^M_PI$", .help = "C11 has no M_PI: write PI (common/vec3.h)."},
@@ -1215,12 +1111,8 @@ static const Rule rules[] = {
     {LACKS_CONTRACT, .help = "#include \"{CONTRACT}\" is missing at the top of this file."},
     {UNKNOWN, .help = "the slide's {LETTERS}."},
     {UNKNOWN_VARIABLE, .needs = "{LOST_NAME}", .help = ""},
-    {UNKNOWN, .help = NOTHING "{NAME}. The {OWNER ITS_PART} has another name here: write "
-                              "{WHOLE ITS_PART}."},
     {UNKNOWN, .help = NOTHING "{NAME}. It has another name here: write {WHOLE ITS_PART}."},
-    {UNKNOWN_VARIABLE | UNKNOWN_TYPE,
-     .help = "{NAME} is a part of {a OWNER NAME} ({HEADER OWNER NAME}): write {WHOLE NAME}."},
-    {UNKNOWN_VARIABLE | UNKNOWN_TYPE, .help = "{NAME} is the name of parts: write {WHOLE NAME}."},
+    {UNKNOWN_VARIABLE | UNKNOWN_TYPE, .help = "{NAME} is the name of a part: write {WHOLE NAME}."},
     {UNKNOWN, .help = "{NAME} is declared in another file: #include \"{OTHER_HEADER}\""},
     {UNKNOWN_TYPE,
      .name = "^([Dd]?[Vv](ec|EC)[34]?|[Vv](ector|ECTOR)3?|[Pp](oint|OINT)3?|"
@@ -1231,20 +1123,18 @@ static const Rule rules[] = {
     {UNKNOWN, .name = "^(sqr|sq|square|squared)$", .help = "C has no square: write x * x."},
     {UNKNOWN, .needs = "{NAME_OF_LOOP}",
      .help = "{NAME} is not declared: for (int {NAME} = ...; ...; ...)."},
-    {UNKNOWN, .help = "the ; after for (...) in line {ENDED} ends the loop" ENDED_LOOP},
+    {UNKNOWN, .help = ENDED_LOOP},
     {UNKNOWN, .help = "{NAME} is known only inside the loop of line {LOOP}."},
     {UNKNOWN, .help = NOTHING "{NAME}. It is written {LIKE} ({HEADER LIKE})."},
-    {UNKNOWN, .help = NOTHING "{NAME}. {SUGGESTED} is in {HEADER SUGGESTED}."},
     {UNKNOWN_VARIABLE, .needs = "{PARTS CAPITAL}",
      .help = NOTHING "{NAME}. A {CAPITAL} of your own must be declared first: {CAPITAL}" UNBROKEN
                      "{NAME}" UNBROKEN "=" UNBROKEN "...;"},
     {UNKNOWN, .name = "^..",
-     .help = NOTHING "{NAME}. Is it spelled as in the contract, {CONTRACT}?{PARAMETERS?}"},
+     .help = NOTHING "{NAME}. Is it spelled as in {CONTRACT} or common/?{PARAMETERS?}"},
     {UNKNOWN, .help = NOTHING "{OTHERS}.{PARAMETERS?} Declare a variable of your own first, with "
                               "its type."},
 
     {COUNT, .help = "its prototype is  {PROTOTYPE COUNTED}  in {HEADER COUNTED}."},
-    {COUNT, .help = "look at the prototype of {COUNTED}: it lists the parameters."},
     {COUNT, .help = "look at the prototype of the function: it lists the parameters."},
 
     // A name that is declared twice.
@@ -1345,13 +1235,6 @@ static const Word *find_words(const Mistake *mistake)
     static const char variable[] = "^ *(const )?([A-Za-z_0-9]+) +[A-Za-z_0-9]+ *=",
                       for_name[] = BEFORE_WORD "for *\\( *([A-Za-z_0-9]+) *=";
     int open = text_count(statement, '(') - text_count(statement, ')');
-    Match factor;
-    bool has_factor =
-        text_find(code, "(^|[^A-Za-z_0-9.])([0-9][0-9.]*)([A-Za-z_][A-Za-z_0-9.]*)", &factor);
-    const char *base = text_expression_at_end(text_replaced(mistake->ahead, "[* ]+$", "")),
-               *power = text_group(behind, "^[*^ ]*([A-Za-z_0-9.]+)", 1);
-    bool is_square = text_has(text, "'vec3'") || text_is(type_of(base, line), "vec3");
-    base = base[0] == '\0' ? "x" : base;
     const Word words[] = {
         {"NAME", name},
         {"LINE", number(line)},
@@ -1369,8 +1252,6 @@ static const Word *find_words(const Mistake *mistake)
         {"LOST_NAME", if_true(is_lost(mistake))},
         {"PARAMETER", if_true(is_parameter(mistake))},
         {"COMMA", if_true(has_comma(mistake))},
-        {"PRODUCT", if_true(has_vector_product(mistake))},
-        {"SWAPPED", if_true(is_swapped(mistake))},
         {"OPEN", number(all.open_function)},
         {"OPENED", if_true(open > 0)},
         {"CLOSED", if_true(open < 0)},
@@ -1399,7 +1280,6 @@ static const Word *find_words(const Mistake *mistake)
         {"LIST", text_matches(here, "(spheres|lights|surfaces)$") ? here : ""},
         {"TARGET", target},
         {"TYPE_HERE", type_here},
-        {"VECTOR_HERE", is_vector_type(type_here) ? type_here : ""},
         {"COMMA_TYPE", mistake->wanted[0] != '\0' ? mistake->wanted : type_here},
         {"WANTED", mistake->wanted},
         {"GIVEN", mistake->given},
@@ -1417,19 +1297,12 @@ static const Word *find_words(const Mistake *mistake)
         {"OPERAND", struct_operand(mistake)},
         {"CAST", text_group(code, "\\(([A-Za-z0-9]+)\\) *\\(", 1)},
         {"ELEMENT", text_group(code, "([A-Za-z_0-9]+(\\.|->)[A-Za-z_0-9]+) *\\(", 1)},
-        {"FACTORS",
-         has_factor ? text_format("%s * %s", factor.group[2], factor.group[3]) : "2x is 2 * x"},
         {"MEMBER", bare_type(text[0] == '\'' ? name : text_group(text, SECOND_QUOTED, 1))},
-        {"POWER_SIGN", power_sign(mistake)},
-        {"BASE", base},
-        {"VECTOR_BASE", is_square ? base : ""},
-        {"OTHER_POWER", text_is(power, "2") ? "" : power},
         {"KNOWN", meant_by(name, known_names, sizeof known_names / sizeof *known_names)},
         {"LIBRARY", mistake->library[0] != '\0'
                         ? mistake->library
                         : meant_by(name, library, sizeof library / sizeof *library)},
         {"LIKE", name_like(mistake)},
-        {"SUGGESTED", suggested(mistake)},
         {"CAPITAL", text_format("%c%s", toupper((unsigned char)name[0]), name + (name[0] != '\0'))},
         {NULL, ""},
     };
@@ -1439,17 +1312,13 @@ static const Word *find_words(const Mistake *mistake)
 // What a verb says of a word: a Ray, the PARTS of a Ray.
 static const char *said_of(const char *verb, const char *word, size_t line)
 {
-    const char *owner = "", *whole = "";
-    if (text_matches(verb, "^(WHOLE|OWNER)$"))
-        whole = whole_of(word, line, &owner);
     return word[0] == '\0' || verb[0] == '\0' ? word
            : text_is(verb, "PARTS")           ? declared(word, TYPE)->parts
            : text_is(verb, "VALUES")          ? declared(word, TYPE)->values
            : text_is(verb, "WRITTEN")         ? written(word)
            : text_is(verb, "PROTOTYPE")       ? declared(word, FUNCTION)->prototype
            : text_is(verb, "HEADER")          ? declared(word, ANYTHING)->header
-           : text_is(verb, "WHOLE")           ? whole // width: c.width
-           : text_is(verb, "OWNER")           ? owner
+           : text_is(verb, "WHOLE")           ? whole_of(word, line) // width: c.width
                                               : with_article(verb[0], word);
 }
 
