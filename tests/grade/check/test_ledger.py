@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import time
-import unittest
 from fractions import Fraction
 
 from grade.people.history import lines_of, members, remember
