@@ -1,7 +1,8 @@
-"""fixtures.py - shared by several tests: sentences, a folder for a class, and archives, good ones and some that no
-tool would make.
+"""fixtures.py - shared by several tests: sentences, pages that are read back, a folder for a class, and archives, good ones
+and some that no tool would make.
 """
 import gzip
+import html.parser
 import io
 import os
 import pickle
@@ -39,6 +40,39 @@ class Sentences(WithFolder):
     def skip(self, why: str) -> None:
         with self.subTest(why):
             self.skipTest(why)
+
+
+class Page(html.parser.HTMLParser):
+    """The parts of a page: its tags, attributes, URLs and words."""
+
+    def __init__(self, text: str):
+        super().__init__(convert_charrefs=True)
+        self.tags, self.attributes, self.urls, self.words, self.open = [], set(), [], [], []
+        self.other = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, name, attributes):
+        self.tags.append(name)
+        self.attributes |= {key for key, _ in attributes}
+        self.urls += [(key, value) for key, value in attributes if key in ("href", "src")]
+        if name not in ("meta", "img"):
+            self.open.append(name)
+
+    def handle_endtag(self, name):
+        assert self.open.pop() == name, name
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+    def handle_comment(self, data):
+        self.other.append(data)
+
+    def handle_pi(self, data):
+        self.other.append(data)
+
+    def unknown_decl(self, data):
+        self.other.append(data)
 
 
 STEMS = ["01-corners", "05-quadratic"]

@@ -15,7 +15,7 @@ from grade.people.class_list import class_of
 from grade.people.history import remember
 from grade.people.sheets import Sheet
 from grade.report import files
-from grade.report.points import NOTHING
+from grade.report.record import NOTHING
 from . import platforms
 from .records import function, record, stem
 

@@ -8,8 +8,7 @@ from grade.people.term import in_order, term_csv, term_page, weeks_of, weights_o
 from grade.people.sheets import SheetError
 from grade.report import files
 from grade.visible import spelled
-from . import read_back
-from .fixtures import WithFolder
+from .fixtures import Page, WithFolder
 from .records import HOSTILE, MISTAKE, function, record, stem
 
 
@@ -76,7 +75,7 @@ class Term(WithFolder):
         self.week("a", *(self.one(f"s{at}", 6, str(at), mistake=MISTAKE if at < 3 else None) for at in range(5)))
         self.week("b", self.one("s1", 6, "1", mistake=MISTAKE), self.one("s2", 6, "2"))
         self.week("c", record("s1", [stem("05-quadratic", [function("hit_sphere")])], person={"id": "1"}))
-        told = re.sub(r"\s+", " ", " ".join(read_back.Page(term_page(weeks_of(self.work))).words))
+        told = re.sub(r"\s+", " ", " ".join(Page(term_page(weeks_of(self.work))).words))
         self.assertIn(f"01-corners upper_left {MISTAKE['formula']}", told)
         self.assertRegex(told, r"there\. 3 of 5 1 of 2 01-corners")
         self.assertIn("05-quadratic hit_sphere 1 of 1", told)
