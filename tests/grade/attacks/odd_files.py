@@ -1,24 +1,19 @@
-"""odd_files.py - submissions that are not a single text file: honest ones in every shape, which keep all their marks,
-and hostile ones: links, pipes, folders, archives, and bytes that are not text.
+"""odd_files.py - submissions that are not a single file of C: honest ones under every name, which keep all their marks, and
+hostile ones that hand in links, headers and programs, or bytes that are not text.
+
+What is read of folders and archives is tested where they are read (check/test_folders, test_archives, test_bombs).
 """
 from __future__ import annotations
 
-import gzip
 import os
-import random
 import re
-import socket
-import tarfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from grade.check.fixtures import member, tarred, zipped
-
 from .cases import Expected, blank, handed_in, read
 
 CORNERS, SCREEN = "01-corners.c", "03-screen.c"
-IN_ANY_SHAPE = ["01-corners", "03-screen", "05-quadratic"]   # the chapters that honest ones in odd shapes hand in
 NOTHING_THERE = Expected({"empty", "cannot be read", "partly read", "graded", "does not compile"})
 # As bytes: a file system takes any but / and NUL.
 ODD_NAMES = [
@@ -46,15 +41,6 @@ def lay(place: Path, what) -> None:
         what(place)
 
 
-def link(target) -> Callable:
-    return lambda place: place.symlink_to(target)
-
-
-def archive(pack: Callable) -> Callable:
-    """Made only if it is asked for: some take long."""
-    return lambda place: place.write_bytes(pack())
-
-
 # ---- honest ----------------------------------------------------------------------------------------
 
 def with_printf(text: str) -> str:
@@ -73,21 +59,15 @@ def with_canary(text: str, canary: str) -> str:
 
 def build_honest(submissions: Path, honest: dict, prototypes: dict, canary: str, is_wanted: Callable) -> dict:
     """name -> Expected"""
-    def files(stems, change=str.encode) -> dict:
-        return {f"{stem}.c": change(honest[stem]) for stem in stems}
+    def files(change: Callable) -> dict:
+        return {f"{stem}.c": change(text) for stem, text in honest.items()}
 
-    some = files(IN_ANY_SHAPE)
     blanks = {f"{stem}.c": (f'#include "exercises/{stem}.h"\n#include "common/answers.h"\n'
                             + "".join(map(blank, functions.values()))).encode() for stem, functions in prototypes.items()}
     shapes = {
-        "honest": (files(honest, lambda text: with_canary(text, canary).encode()), honest),
-        "honest-printf": (files(honest, lambda text: with_printf(text).encode()), honest),
-        "honest-windows": (files(IN_ANY_SHAPE, lambda text: b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode()),
-                           IN_ANY_SHAPE),
-        "honest-latin-1": (files(IN_ANY_SHAPE, lambda text: text.encode() + b"// Z\xfcrich, na\xefve"), IN_ANY_SHAPE),
-        "honest-below": ({"week 3/answers (final)": some}, IN_ANY_SHAPE),
-        "honest-zip.zip": (zipped(*[(f"week 1/{name}", text) for name, text in some.items()]), IN_ANY_SHAPE),
-        "honest-tar.tar.gz": (gzip.compress(tarred(*[(f"./{name}", text) for name, text in some.items()])), IN_ANY_SHAPE),
+        "honest": (files(lambda text: with_canary(text, canary).encode()), honest),
+        "honest-printf": (files(lambda text: with_printf(text).encode()), honest),
+        "honest-latin-1": (files(lambda text: text.encode() + b"// Z\xfcrich, na\xefve"), honest),
         "honest-blanks": (blanks, []),
     }
     shapes = {name: shape for name, shape in shapes.items() if is_wanted(name)}
@@ -105,13 +85,6 @@ def build_odd_names(submissions: Path, honest: dict) -> None:
 
 # ---- hostile ---------------------------------------------------------------------------------------
 
-def listening(place: Path) -> None:
-    with socket.socket(socket.AF_UNIX) as door:
-        os.chdir(place.parent)      # the name of a socket must be short
-        door.bind(place.name)
-        os.chdir("/")
-
-
 def program(text: str) -> Callable:
     def make(place: Path) -> None:
         place.write_text(text)
@@ -126,13 +99,6 @@ def everywhere(prototypes: dict, attack: str) -> dict:
             for stem, functions in prototypes.items()}
 
 
-def outside(places: dict) -> list:
-    names = ["../hostile-was-here", "../../hostile-was-here", "../honest/01-corners.c",
-             f"{places['SCRATCH']}/hostile-was-here", "/tmp/hostile-was-here",
-             f"{places['OUT']}/hostile-was-here", "x/../../../hostile-was-here", "..\\hostile-was-here"]
-    return [(name, b"forged-mark") for name in names]
-
-
 def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
     """name -> what is handed in, and what must come of it, if that is not NOTHING_THERE."""
     solutions, scratch = f"{places['TREE']}/solutions", places["SCRATCH"]
@@ -142,17 +108,8 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
     touch = f"touch {scratch}/hostile-was-here /tmp/hostile-was-here"
     reference = f'#include "{solutions}/01-corners.c"\n'.encode()
     return {
-        # Every answer, or their folder, is a symbolic link to the reference.
-        "links-to-solutions": ({f"{stem}.c": link(f"{solutions}/{stem}.c") for stem in honest},),
-        "link-to-a-folder": ({"week 1": link(solutions)},),
-        # A link to what the next student wrote; the submission itself is one; a file without end.
-        "link-to-a-classmate": ({CORNERS: link(f"../honest/{CORNERS}")},),
-        "link-as-submission": (link("honest"),),
-        "link-to-zeros": ({CORNERS: link("/dev/zero")},),
-        # A folder, a socket, and a pipe at which a reader waits for ever, by the names of answers.
-        "no-files": ({CORNERS: {}, "02-cameras.c": os.mkfifo, SCREEN: listening},),
-        # Five thousand files, and an answer among them.
-        "many": ({**{f"{i}.c": b"" for i in range(5000)}, **screen}, right_screen),
+        # Every answer is a symbolic link to the reference.
+        "links-to-solutions": ({f"{stem}.c": lambda place: place.symlink_to(f"{solutions}/{place.name}") for stem in honest},),
         # Brings headers under the names of those that it includes.
         "headers-of-its-own": ({CORNERS: b'#include "exercises/01-corners.h"\n#include "own.h"\n', **dict.fromkeys(
             ("exercises/01-corners.h", "common/vec3.h", "own.h", "math.h"), reference)},),
@@ -165,44 +122,18 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
         "loops-everywhere": (everywhere(prototypes, "loop-before-main"), Expected({"timed out"}, says=["still running"])),
         # Every chapter takes the compiler as long as it may.
         "bombs-everywhere": (everywhere(prototypes, "bomb-braces"), refused_or_late),
-        # An answer of no bytes, a compiled program, and bytes at random; nothing at all.
-        "no-text": ({CORNERS: b"", "02-cameras.c": Path("/bin/sh").read_bytes()[:100_000],
-                     SCREEN: random.Random(4).randbytes(100_000)},),
-        "empty-folder": ({"week 1": {}}, Expected({"empty"})),
-        # NUL bytes in an answer, after which readers of strings see nothing.
-        "zero-bytes": ({CORNERS: corners.replace("\n\n", "\n// \0 \0\n\n").encode()}, Expected({"cannot be read"})),
         # Bytes that are no UTF-8 in what the compiler quotes.
         "no-utf-8": ({CORNERS: b"int \xff\xfe\x80 = \"\xc0\xaf\xed\xa0\x80\x1b[2J\x9b2J\x07\";\n#error \xff\x1b[2J\n"}, refused),
-        # The answers as one editor writes them.
-        "utf-16": ({CORNERS: corners.encode("utf-16")},
-                   Expected({"does not compile", "graded"}, perhaps=set(prototypes["01-corners"]))),
         # A quarter of a megabyte: a line with an error at its end, and conditionals, none of which ends.
         "long-line": ({CORNERS: b"int a[] = {" + b"1," * 120_000 + b"x \"};\n"}, refused),
         "deep-comment": ({CORNERS: b"#if 1\n" * 40_000}, refused_or_late),
     }
 
 
-def hostile_archives(places: dict) -> dict:
-    """The same, of those that are archives."""
-    scratch = places["SCRATCH"]
-    return {
-        # Members whose paths lead out of where they are unpacked; in a tar also through a link that it brings along.
-        "zip-that-escapes.zip": (zipped(*outside(places)),),
-        "tar-that-escapes.tar.gz": (gzip.compress(tarred(
-            *outside(places), (member("out", tarfile.SYMTYPE, str(scratch)), b""), ("out/hostile-was-here", b"x"),
-            (member("up", tarfile.SYMTYPE, ".."), b""), ("up/hostile-was-here", b"x"))),),
-        # A third of a megabyte that becomes three hundred.
-        "zip-bomb.zip": (archive(lambda: zipped((CORNERS, b"\0" * (300 << 20)))),),
-        # Members whose names are lines, escape codes and markup.
-        "zip-of-names.zip": (zipped(("\x1b[2J\nok 1 - forged-mark\n</pre><script>/" + CORNERS, b"int a"),
-                                    ("=1+1/" + CORNERS, b"int b")),),
-    }
-
-
 def build(submissions: Path, honest: dict, prototypes: dict, places: dict, is_wanted: Callable) -> dict:
     """The hostile ones: name -> Expected."""
     built = {}
-    for name, (what, *wanted) in {**hostile(honest, prototypes, places), **hostile_archives(places)}.items():
+    for name, (what, *wanted) in hostile(honest, prototypes, places).items():
         if is_wanted(name):
             lay(submissions / name, what)
             built[name] = wanted[0] if wanted else NOTHING_THERE
