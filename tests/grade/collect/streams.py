@@ -1,7 +1,7 @@
 """streams.py - a file that somebody else made, and a compressed archive as the tar that is in it, piece by piece.
 
-gzip, xz and bzip2 are Python's own. 7-Zip, RAR and Zstandard are read by bsdtar (libarchive), which
-writes what they hold as a tar; it runs where compilers run, with nothing but the archive to read.
+gzip is read here. All others are read by bsdtar (libarchive), which writes what they hold as a tar; it runs where
+compilers run, with nothing but the archive to read.
 """
 import io
 import os
@@ -51,7 +51,6 @@ def opened_file(name, folder=None):
 
 CHUNK = 64 * 1024
 STREAMS = 1000              # compressed streams, one after the other, in one file
-XZ_MEMORY = 256 * 1024 * 1024
 SECONDS, MEMORY = 10, 1 << 30   # of work for bsdtar, and its memory
 # The first bytes of a file, and the format that they mean.
 KINDS = {b"\x1f\x8b": "gzip", b"\xfd7zXZ\0": "xz", b"BZh": "bzip2", b"7z\xbc\xaf\x27\x1c": "7-Zip",
@@ -75,25 +74,16 @@ def kind_of(head: bytes):
 
 
 class Inflated:
-    """The decompressed contents of a compressed file, of all its streams. The gzip module would read a
-    header's comment, of any length, byte by byte."""
-    def __init__(self, file, engine):
+    """The decompressed contents of a gzip file, of all its streams. The gzip module would read a header's comment, of any
+    length, byte by byte."""
+    def __init__(self, file):
         self.file = file
-        self.begin = engine
-        self.engine = engine()
+        self.engine = zlib.decompressobj(31)
         self.streams = 1
-
-    def more(self) -> bytes:
-        """The input that the engine has not taken yet, or else more of the file."""
-        left = getattr(self.engine, "unconsumed_tail", b"")
-        if not left and not getattr(self.engine, "needs_input", True):
-            return b""
-        return left or self.file.read(CHUNK)
 
     def read(self, size: int) -> bytes:
         while True:
             if self.engine.eof:
-                # Streams of xz are filled up with zeros.
                 raw = (self.engine.unused_data or self.file.read(CHUNK)).lstrip(b"\0")
                 if not raw:
                     return b""
@@ -101,30 +91,14 @@ class Inflated:
                 if self.streams > STREAMS:
                     raise Enough(f"is made of more than {STREAMS} compressed streams; "
                                  "no more was read")
-                self.engine = self.begin()
+                self.engine = zlib.decompressobj(31)
             else:
-                raw = self.more()
-            waits = not getattr(self.engine, "needs_input", True)
+                raw = self.engine.unconsumed_tail or self.file.read(CHUNK)
             piece = self.engine.decompress(raw, size)
             if piece:
                 return piece
-            if not raw and not waits and not self.engine.eof:
+            if not raw and not self.engine.eof:
                 raise EOFError("it ends in the middle")
-
-
-def engine_of(kind: str):
-    if kind == "gzip":
-        return lambda: zlib.decompressobj(31)
-    try:
-        if kind == "xz":
-            import lzma
-            return lambda: lzma.LZMADecompressor(lzma.FORMAT_XZ, XZ_MEMORY)
-        if kind == "bzip2":
-            import bz2
-            return bz2.BZ2Decompressor
-    except ImportError:  # a Python that was built without it
-        raise NotHere(f"this machine's Python cannot read {kind}") from None
-    return None
 
 
 # ---- by a program -------------------------------------------------------------------------------
@@ -211,9 +185,8 @@ def must_read_something_right(opener) -> None:
 @contextmanager
 def opened(kind: str, file, opener):
     """The tar in a compressed file."""
-    engine = engine_of(kind)
-    if engine:
-        yield Inflated(file, engine)
+    if kind == "gzip":
+        yield Inflated(file)
     else:
         with by_bsdtar(kind, file, opener) as stream:
             yield stream
