@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
-from pathlib import Path
 
 FIRST = "Anna Ben Chloë Dmitri Élise Farid Grace Hüseyin Ingrid Jürgen Kim Łukasz Mei Nuño Oksana".split()
 LAST = "Abel Baker Çelik Dvořák Eriksson Fischer García Hansen Ivanov Jones Kowalski Li Müller Nguyễn O'Neill Öz Pérez Quist " \
@@ -50,13 +49,6 @@ def students(size: int = 300) -> list:
 
 def quoted(*cells: str) -> str:
     return ",".join('"' + cell.replace('"', '""') + '"' if set(cell) & set(' ,"') else cell for cell in cells)
-
-
-def lay(folder: Path, files: dict) -> None:
-    for name, content in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
 
 
 # ---- downloads: name -> bytes; renamed: whether names may have changed since ------------------------

@@ -173,18 +173,18 @@ class Escapes(Archive):
         names = ["../../" + FIVE, "/etc/" + FIVE, "a/../../" + FIVE, "..//" + FIVE]
         for how, extra in ((self.zip, ["..\\" + FIVE, "C:\\" + FIVE]), (self.tar, [])):
             for name in names + extra:
-                before = sorted(self.top.rglob("*"))
+                before = sorted(self.work.rglob("*"))
                 collected = how((renamed(name) if how == self.zip else name, b"x"))
                 self.assertTrue(collected.empty)
                 self.assertIn("leads out of the archive", collected.words)
-                self.assertLessEqual(len(sorted(self.top.rglob("*"))), len(before) + 1)
+                self.assertLessEqual(len(sorted(self.work.rglob("*"))), len(before) + 1)
             self.clear()
 
     def test_an_archive_that_became_a_link_or_a_fifo_is_not_opened(self):
         self.archive("anna.zip", zipped((FIVE, b"x")))
         found, _ = submissions.find(self.room)
-        os.rename(self.room / "anna.zip", self.top / "x.zip")
-        (self.room / "anna.zip").symlink_to(self.top / "x.zip")
+        os.rename(self.room / "anna.zip", self.work / "x.zip")
+        (self.room / "anna.zip").symlink_to(self.work / "x.zip")
         self.assertTrue(submissions.collect(found[0], STEMS).empty)
         (self.room / "anna.zip").unlink()
         os.mkfifo(self.room / "anna.zip")
@@ -249,9 +249,9 @@ class ByProgram(Archive):
                 self.assertEqual(self.collect().words, "decompresses to more than 32 MB; no more was read")
 
     def test_links_in_it_lead_nowhere(self):
-        (self.top / "in").mkdir()
-        (self.top / "in" / FIVE).symlink_to(self.secret("secret"))
-        subprocess.run(["bsdtar", "-c", "-f", self.room / "anna.7z", "--format=7zip", "-C", self.top / "in", FIVE], check=True)
+        (self.work / "in").mkdir()
+        (self.work / "in" / FIVE).symlink_to(self.secret("secret"))
+        subprocess.run(["bsdtar", "-c", "-f", self.room / "anna.7z", "--format=7zip", "-C", self.work / "in", FIVE], check=True)
         collected = self.collect()
         self.assertEqual(self.five(collected), ("missing", "", b""))
         self.assertIn("a link, not followed", collected.answers["05-quadratic"].words)
@@ -316,7 +316,7 @@ class Inside(Archive):
     def test_links_that_are_called_like_archives_are_not_followed(self):
         self.put("x.txt")
         self.secret("all.zip").write_bytes(nested(0))
-        (self.room / "anna" / "all.zip").symlink_to(self.top / "secrets" / "all.zip")
+        (self.room / "anna" / "all.zip").symlink_to(self.work / "secrets" / "all.zip")
         self.assertTrue(self.collect().empty)
 
     def test_an_archive_of_itself_ends(self):

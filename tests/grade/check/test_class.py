@@ -1,14 +1,10 @@
 """test_class.py - who is in the class, and whose each submission is: 300 people on every platform, nobody lost or doubled."""
-import tempfile
-import unittest
-from pathlib import Path
-
 from grade.collect import submissions
 from grade.people.class_list import class_of
 from grade.people.roster import Roster
 from grade.people.sheets import Sheet, SheetError
 from . import platforms
-from .fixtures import WithFolder
+from .fixtures import WithFolder, lay
 
 STEMS = ["01-corners", "05-quadratic"]
 
@@ -79,16 +75,11 @@ class Lists(WithFolder):
         self.assertEqual(list(self.roster("name,id\nKim Li,1\nKim Li,2\nBen,3\n").titles().values()), ["Kim Li (1)", "Kim Li (2)", "Ben"])
 
 
-class Classes(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.top = Path(folder.name)
-
+class Classes(WithFolder):
     def class_of(self, files: dict, roster) -> tuple:
-        room, path = self.top / "class", self.top / "roster.csv"
+        room, path = self.work / "class", self.work / "roster.csv"
         room.mkdir()
-        platforms.lay(room, files)
+        lay(room, files)
         path.write_bytes(roster if isinstance(roster, bytes) else roster.encode())
         return class_of(room, path, STEMS)
 
@@ -143,8 +134,8 @@ class Classes(unittest.TestCase):
 
     def test_users_of_blackboard_may_have_underscores(self):
         files = {f"HW_1_{user}_attempt_2025-11-14-23-59-59_01-corners.c": b"x" for user in ("a_doe", "b_doe", "b_roe")}
-        room = self.top / "class"
-        platforms.lay(room, files)
+        room = self.work / "class"
+        lay(room, files)
         self.assertEqual([one.name for one in class_of(room, None, STEMS).found], ["a_doe", "b_doe", "b_roe"])
 
     def test_what_fits_nobody_or_two_is_listed_with_the_closest(self):

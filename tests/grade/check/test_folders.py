@@ -119,7 +119,7 @@ class Folder(Scratch):
 
     def as_nobody(self):
         """Collected by somebody who is not root."""
-        os.chmod(self.top, 0o755)
+        os.chmod(self.work, 0o755)
         if os.geteuid() == 0:
             os.seteuid(65534)
             self.addCleanup(os.seteuid, 0)

@@ -9,7 +9,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
@@ -184,30 +183,29 @@ class Environment(Sentences):
                    and "Traceback" not in complaints and complaints.count("grade: ") == 1, complaints)
 
     def test_environment(self) -> None:
-        with tempfile.TemporaryDirectory() as temporary:
-            work = Path(temporary)
-            folder, file = work / "class", work / "file"
-            (folder / "anna").mkdir(parents=True)
-            (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
-            file.write_text("x")
-            shut = work / "shut"
-            shut.mkdir()
-            (shut / ".seed").write_bytes(b"\xff")
-            nowhere = Path("/proc/out")
-            for name, wanted, words, settings in (
-                    ("an OUT that is a file", f"OUT={file} cannot be written: ", command(folder, file), {}),
-                    ("an OUT in a file", f"OUT={file}/out cannot be written: ", command(folder, file / "out"), {}),
-                    ("an OUT where nothing can be made", f"OUT={nowhere} cannot be written: ", command(folder, nowhere), {}),
-                    ("a seed that is noise", "", command(folder, shut), {}),
-                    ("no kit", str(work / "none"), command(folder, work / "out", work / "none"), {}),
-                    ("a kit that is a file", str(file), command(folder, work / "out", file), {}),
-                    ("a policy that is a folder", "cannot be read", command(folder, work / "out"), {"POLICY": str(work)}),
-                    ("a class that is a file", "is a file", command(file, work / "out"), {})):
-                self.is_one_sentence(name, wanted, words, **settings)
-            with open("/dev/full", "w") as full:
-                self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
-                                     stdout=full)
-            self.read_only(folder, work)
+        work = self.work
+        folder, file = work / "class", work / "file"
+        (folder / "anna").mkdir(parents=True)
+        (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
+        file.write_text("x")
+        shut = work / "shut"
+        shut.mkdir()
+        (shut / ".seed").write_bytes(b"\xff")
+        nowhere = Path("/proc/out")
+        for name, wanted, words, settings in (
+                ("an OUT that is a file", f"OUT={file} cannot be written: ", command(folder, file), {}),
+                ("an OUT in a file", f"OUT={file}/out cannot be written: ", command(folder, file / "out"), {}),
+                ("an OUT where nothing can be made", f"OUT={nowhere} cannot be written: ", command(folder, nowhere), {}),
+                ("a seed that is noise", "", command(folder, shut), {}),
+                ("no kit", str(work / "none"), command(folder, work / "out", work / "none"), {}),
+                ("a kit that is a file", str(file), command(folder, work / "out", file), {}),
+                ("a policy that is a folder", "cannot be read", command(folder, work / "out"), {"POLICY": str(work)}),
+                ("a class that is a file", "is a file", command(file, work / "out"), {})):
+            self.is_one_sentence(name, wanted, words, **settings)
+        with open("/dev/full", "w") as full:
+            self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
+                                 stdout=full)
+        self.read_only(folder, work)
 
     def test_it_starts_from_any_folder(self) -> None:
         words = [sys.executable, str(Path("tests/grade").resolve()), "--help"]
@@ -218,13 +216,12 @@ class Environment(Sentences):
 
     def test_a_tree_that_was_moved(self) -> None:
         """It was 'compiling something right also fails': the kit named the folder where the tree had been."""
-        with tempfile.TemporaryDirectory() as temporary:
-            kit = Path(shutil.copytree(KIT, Path(temporary, "kit")))
-            compiler = [f"CC={os.environ['CC']}"] if "CC" in os.environ else []
-            done = subprocess.run(["make", *compiler, f"KIT={kit}", f"{kit}/commands"], capture_output=True, text=True,
-                                  env={name: value for name, value in os.environ.items() if name != "MAKEFLAGS"})
-            self.check("its kit names the folder where it is",
-                       str(Path(KIT).resolve()) not in (kit / "commands").read_text(), done.stderr)
+        kit = shutil.copytree(KIT, self.work / "kit")
+        compiler = [f"CC={os.environ['CC']}"] if "CC" in os.environ else []
+        done = subprocess.run(["make", *compiler, f"KIT={kit}", f"{kit}/commands"], capture_output=True, text=True,
+                              env={name: value for name, value in os.environ.items() if name != "MAKEFLAGS"})
+        self.check("its kit names the folder where it is",
+                   str(Path(KIT).resolve()) not in (kit / "commands").read_text(), done.stderr)
 
     def read_only(self, folder: Path, work: Path) -> None:
         view = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc"]

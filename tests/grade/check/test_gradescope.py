@@ -21,14 +21,13 @@ OF_MAKE = {"MAKEFLAGS", "CC", "ANSWERS", "SEED", "OUT", "POLICY", "UNSAFE", "SAN
 class Gradescope(Sentences):
     def setUp(self):
         super().setUp()
-        self.top = self.work
-        self.toolkit = self.top / "source" / "toolkit"
-        self.submission = self.top / "submission"
+        self.toolkit = self.work / "source" / "toolkit"
+        self.submission = self.work / "submission"
         self.environment = {name: value for name, value in os.environ.items() if name not in OF_MAKE}
 
     def run_there(self, *words, **settings) -> subprocess.CompletedProcess:
         return subprocess.run([str(word) for word in words], capture_output=True, text=True, errors="replace",
-                              env={**self.environment, "AUTOGRADER": str(self.top), **settings})
+                              env={**self.environment, "AUTOGRADER": str(self.work), **settings})
 
     def archive(self) -> bytes:
         done = self.run_there("make", "gradescope")
@@ -39,7 +38,7 @@ class Gradescope(Sentences):
         """As unzip does it, with the permissions."""
         with zipfile.ZipFile(ARCHIVE) as archive:
             for info in archive.infolist():
-                os.chmod(archive.extract(info, self.top / "source"), info.external_attr >> 16 or 0o644)
+                os.chmod(archive.extract(info, self.work / "source"), info.external_attr >> 16 or 0o644)
 
     def hand_in(self, *paths: Path) -> None:
         shutil.rmtree(self.submission, ignore_errors=True)
@@ -52,8 +51,8 @@ class Gradescope(Sentences):
 
     def says(self, sentence: str, score: str, words: str, **settings) -> None:
         """The contents of results.json: the score, the maximum, and the first words."""
-        results = self.top / "results" / "results.json"
-        done = self.run_there(self.top / "run_autograder", **settings)
+        results = self.work / "results" / "results.json"
+        done = self.run_there(self.work / "run_autograder", **settings)
         found = json.loads(results.read_text(encoding="utf-8"))
         results.unlink()
         marks = f"{found['score']:g} of {sum(test['max_score'] for test in found['tests']):g}" \
@@ -63,11 +62,11 @@ class Gradescope(Sentences):
 
     def path_where(self, program: str, line: str) -> str:
         """A PATH on which this program is a script of one line."""
-        (self.top / "bin").mkdir(exist_ok=True)
-        there = self.top / "bin" / program
+        (self.work / "bin").mkdir(exist_ok=True)
+        there = self.work / "bin" / program
         there.write_text(f'#!/bin/sh\n{line}\nexec {shutil.which(program)} "$@"\n')
         there.chmod(0o755)
-        return f"{self.top / 'bin'}:{os.environ['PATH']}"
+        return f"{self.work / 'bin'}:{os.environ['PATH']}"
 
     def test_an_autograder(self):
         self.run_there("make", CLASS)
@@ -76,10 +75,10 @@ class Gradescope(Sentences):
         self.check("the same tree makes the same archive", self.archive() == first)
         self.unpack()
         for name in ("setup.sh", "run_autograder"):
-            self.check(f"{name} is at its root, to be started", os.access(self.top / "source" / name, os.X_OK))
-        done = self.run_there(self.top / "source" / "setup.sh")
+            self.check(f"{name} is at its root, to be started", os.access(self.work / "source" / name, os.X_OK))
+        done = self.run_there(self.work / "source" / "setup.sh")
         self.check("setup.sh builds all that grading needs", done.returncode == 0, done.stderr[-400:])
-        shutil.copy(self.top / "source" / "run_autograder", self.top)   # so does Gradescope
+        shutil.copy(self.work / "source" / "run_autograder", self.work)   # so does Gradescope
 
         self.hand_in(*CLASS.glob("another-way/*.c"))
         self.says("what is right has its marks", "24 of 100", "graded")
@@ -103,5 +102,5 @@ class Gradescope(Sentences):
                   PATH=self.path_where("python3", '[ "$2" != tests/grade ] || ulimit -f 1'))
         (self.toolkit / "Makefile").unlink()
         self.says("a grader that is broken leaves a result", NO_MARK, "The autograder did not")
-        self.toolkit.rename(self.top / "gone")
+        self.toolkit.rename(self.work / "gone")
         self.says("so does one that is gone", NO_MARK, "The autograder did not")

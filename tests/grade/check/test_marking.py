@@ -4,10 +4,8 @@ whole; and who has marks though it fails.
 import contextlib
 import io
 import os
-import tempfile
 import time
 import unittest
-from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
@@ -16,6 +14,7 @@ from grade.mark import crew
 from grade.mark.grader import DONE, KEPT
 from grade.mark.judging import calls_among, may_wait, waiting
 from grade.mark.workbench import read_report
+from .fixtures import WithFolder
 
 ENDS = {"done": lambda: DONE, "kept": lambda: KEPT, "raises": lambda: 1 // 0, "leaves": lambda: os._exit(7),
         "fails": lambda: fail("the disk is full"), "is killed": lambda: os.kill(os.getpid(), 9),
@@ -45,7 +44,7 @@ class Doubt(unittest.TestCase):
                          ({"a": 0, "b": 0, "c": 1}, {"a": 2, "b": 3, "c": 4}))
 
 
-class Crew(unittest.TestCase):
+class Crew(WithFolder):
     def marked(self, submissions, jobs):
         """The submissions that were given up, and the progress lines."""
         grader = SimpleNamespace(
@@ -103,11 +102,10 @@ class Crew(unittest.TestCase):
             self.assertRaises(ProcessLookupError, os.kill, child, 0)
 
     def test_two_graders_that_would_mark_the_same_are_refused(self):
-        with tempfile.TemporaryDirectory() as folder:
-            both = Path(folder, "out"), Path(folder, "out", ".work")
-            with crew.alone(*both), self.assertRaisesRegex(SystemExit, "another grader is at work here"):
-                crew.alone(*both)
-            crew.alone(*both).close()
+        both = self.work / "out", self.work / "out/.work"
+        with crew.alone(*both), self.assertRaisesRegex(SystemExit, "another grader is at work here"):
+            crew.alone(*both)
+        crew.alone(*both).close()
 
 
 REPORT = """function\tupper_left
@@ -119,13 +117,12 @@ state\tright
 """
 
 
-class Report(unittest.TestCase):
+class Report(WithFolder):
     def read(self, text, *names):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "report")
-            if text is not None:
-                path.write_bytes(text.encode("latin-1"))
-            return read_report(path, names)
+        path = self.work / "report"
+        if text is not None:
+            path.write_bytes(text.encode("latin-1"))
+        return read_report(path, names)
 
     def test_each_function_has_its_values(self):
         self.assertEqual(self.read(REPORT, "upper_right", "upper_left"), {

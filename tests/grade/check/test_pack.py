@@ -16,7 +16,7 @@ TREE = (".make", "common", "chapters", "exercises", "solutions", "tests")
 class Packing(Scratch):
     def setUp(self):
         super().setUp()
-        self.answers, self.zip = self.top / "answers", self.room / "anna.zip"
+        self.answers, self.zip = self.work / "answers", self.room / "anna.zip"
         shutil.copytree("solutions", self.answers)
 
     def pack(self, archive=None) -> tuple:

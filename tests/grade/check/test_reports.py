@@ -11,7 +11,6 @@ import random
 import re
 import subprocess
 import sys
-import tempfile
 import time
 import urllib.parse
 from pathlib import Path
@@ -238,27 +237,26 @@ class ReportPages(Sentences):
         self.check("the seed, which gives hidden inputs away, is not on it", "123456" not in page)
 
     def test_pictures(self):
-        with tempfile.TemporaryDirectory() as folder:
-            one = record("a", [], pictures={"expected": "expected.png", "yours": "yours.png"})
-            Path(folder, "expected.png").write_bytes(ball(0.8))
-            yours = Path(folder, "yours.png")
+        one = record("a", [], pictures={"expected": "expected.png", "yours": "yours.png"})
+        (self.work / "expected.png").write_bytes(ball(0.8))
+        yours = self.work / "yours.png"
 
-            def sources():
-                return [url for key, url in Page(submission_page(one, folder)).urls if key == "src"]
+        def sources():
+            return [url for key, url in Page(submission_page(one, str(self.work))).urls if key == "src"]
 
-            self.check("without a picture there is none", sources() == [])
-            yours.write_bytes(ball(0.4))
-            self.check("pictures are in the page, expected beside yours", sources()
-                       == ["data:image/png;base64," + base64.b64encode(png).decode() for png in (ball(0.8), ball(0.4))])
-            secret = Path(folder, "secret.png")
-            secret.write_bytes(ball(0.4))
-            for what, put in (("no PNG", lambda: yours.write_bytes(b"<svg onload='alert(1)'>")),
-                              ("a link", lambda: yours.symlink_to(secret)), ("a pipe", lambda: os.mkfifo(yours))):
-                yours.unlink()
-                put()
-                self.check(f"{what} in a picture's place is not shown", sources() == [])
-            one["pictures"]["yours"] = "../" + os.path.basename(folder) + "/secret.png"
-            self.check("a picture lies beside its page and nowhere else", sources() == [])
+        self.check("without a picture there is none", sources() == [])
+        yours.write_bytes(ball(0.4))
+        self.check("pictures are in the page, expected beside yours", sources()
+                   == ["data:image/png;base64," + base64.b64encode(png).decode() for png in (ball(0.8), ball(0.4))])
+        secret = self.work / "secret.png"
+        secret.write_bytes(ball(0.4))
+        for what, put in (("no PNG", lambda: yours.write_bytes(b"<svg onload='alert(1)'>")),
+                          ("a link", lambda: yours.symlink_to(secret)), ("a pipe", lambda: os.mkfifo(yours))):
+            yours.unlink()
+            put()
+            self.check(f"{what} in a picture's place is not shown", sources() == [])
+        one["pictures"]["yours"] = f"../{self.work.name}/secret.png"
+        self.check("a picture lies beside its page and nowhere else", sources() == [])
 
     def test_class(self):
         for them in (HOSTILES, ORDINARY, []):

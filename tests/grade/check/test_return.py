@@ -5,9 +5,7 @@ import csv
 import os
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 import zipfile
 from pathlib import Path
 
@@ -17,6 +15,7 @@ from grade.people.sheets import Sheet
 from grade.report import files
 from grade.report.record import NOTHING
 from . import platforms
+from .fixtures import WithFolder, lay
 from .records import function, record, stem
 
 STEMS = ["01-corners"]
@@ -31,18 +30,16 @@ RETURNS = [
 ]
 
 
-class Returned(unittest.TestCase):
+class Returned(WithFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.top = Path(folder.name)
-        self.out, self.room, self.list = self.top / "out", self.top / "class", self.top / "list.csv"
+        super().setUp()
+        self.out, self.room, self.list = self.work / "out", self.work / "class", self.work / "list.csv"
 
     def marked(self, them: list, download, roster) -> list:
         """A class with marks, though nobody has marked it: of the student n of the list 0.01 n."""
         self.room.mkdir()
         self.list.write_bytes(roster(them))
-        platforms.lay(self.room, download(them))
+        lay(self.room, download(them))
         records = []
         for one in class_of(self.room, self.list, STEMS).found:
             place = next(at for at, student in enumerate(them) if one.person.key in (student.id, student.login, student.mail))
@@ -68,7 +65,7 @@ class Returned(unittest.TestCase):
         return done.stdout + done.stderr
 
     def grades(self, raw: bytes) -> Path:
-        path = self.top / "grades.csv"
+        path = self.work / "grades.csv"
         path.write_bytes(raw)
         return path
 
@@ -83,7 +80,7 @@ class Returned(unittest.TestCase):
                 given = grades(them + [platforms.Student("Not", "Ours", "99999", "other", 1)])
                 said = self.hand_back(platform, GRADES=self.grades(given), COLUMN=column)
                 back = Sheet(self.out / "return" / platform / "grades.csv")
-                before = Sheet(self.top / "grades.csv")
+                before = Sheet(self.work / "grades.csv")
                 place, comment = back.column(column), back.column(comments) if comments else None
                 found = {}
                 for row, was in zip(back.rows, before.rows, strict=True):
@@ -100,7 +97,7 @@ class Returned(unittest.TestCase):
                 self.assertIn("Only in grades.csv, left as they are: 1, Not Ours", said)
                 first = back.bytes()
                 self.grades(first)
-                self.hand_back(platform, GRADES=self.top / "grades.csv", COLUMN=column)
+                self.hand_back(platform, GRADES=self.work / "grades.csv", COLUMN=column)
                 self.assertEqual((self.out / "return" / platform / "grades.csv").read_bytes(), first)
             self.setUp()
 
@@ -158,7 +155,7 @@ class Returned(unittest.TestCase):
             self.assertEqual(archive.namelist(), ["abelanna_4000_29001_feedback.html"])
 
     def test_of_two_that_fit_one_line_the_second_is_said(self):
-        platforms.lay(self.room, {"anna/01-corners.c": b"x", "u1/01-corners.c": b"x"})
+        lay(self.room, {"anna/01-corners.c": b"x", "u1/01-corners.c": b"x"})
         made = [record(one.name, [stem("01-corners", [function("a", most=10.0)])], folder=one.folder, score=at + 1)
                 for at, one in enumerate(class_of(self.room, None, STEMS).found)]
         for one in made:
@@ -171,7 +168,7 @@ class Returned(unittest.TestCase):
 
     def test_hostile_names_stay_names(self):
         names = ["=1+1", "a\nb", "-rf", "@x", "<script>", "it's \"so\"", "Eve_1_assignsubmission_file_", "=x_2_assignsubmission_file_"]
-        platforms.lay(self.room, {f"{name}/01-corners.c": b"x" for name in names})
+        lay(self.room, {f"{name}/01-corners.c": b"x" for name in names})
         found = class_of(self.room, None, STEMS).found
         made = [record(one.name, [stem("01-corners", [function("a")])], folder=one.folder) for one in found]
         for one in made:
@@ -197,9 +194,9 @@ class Returned(unittest.TestCase):
                 ("nowhere", {}, "return to whom? Say FOR= one of moodle, canvas"),
                 ("canvas", {"GRADES": grades}, "2 columns may be for these marks, expected COLUMN="),
                 ("canvas", {"GRADES": grades, "COLUMN": "Section"}, "0 columns may be for these marks, expected COLUMN="),
-                ("canvas", {"GRADES": self.top / "none.csv"}, "none.csv: cannot be read"),
-                ("canvas", {"OUT": self.top}, "holds no marks: run 'make grade' first"),
-                ("canvas", {"SUBMISSIONS": self.top / "none"}, "expected the folder that was marked")):
+                ("canvas", {"GRADES": self.work / "none.csv"}, "none.csv: cannot be read"),
+                ("canvas", {"OUT": self.work}, "holds no marks: run 'make grade' first"),
+                ("canvas", {"SUBMISSIONS": self.work / "none"}, "expected the folder that was marked")):
             self.assertIn(words, self.hand_back(platform, **settings))
         (self.out / "ledger.csv").write_text(f"who,chapter,what,value\n{them[0].id},,mark,3\n")
         self.assertIn("run 'make grade' first", self.hand_back("canvas"))
@@ -214,7 +211,7 @@ class Returned(unittest.TestCase):
         them = platforms.students()
         self.marked(them, platforms.moodle, platforms.moodle_worksheet)
         words, environment = self.command("moodle", GRADES=self.grades(platforms.moodle_worksheet(them)))
-        self.hand_back("moodle", GRADES=self.top / "grades.csv")
+        self.hand_back("moodle", GRADES=self.work / "grades.csv")
         folder = self.out / "return" / "moodle"
         whole = {path.name: path.read_bytes() for path in folder.iterdir()}
         began = time.monotonic()

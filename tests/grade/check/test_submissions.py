@@ -133,8 +133,8 @@ class Find(Scratch):
     def test_a_folder_that_became_a_link_or_is_gone_is_not_followed(self):
         self.put(FIVE)
         found, _ = submissions.find(self.room)
-        os.rename(self.room / "anna", self.top / "moved")
-        (self.room / "anna").symlink_to(self.top / "moved")
+        os.rename(self.room / "anna", self.work / "moved")
+        (self.room / "anna").symlink_to(self.work / "moved")
         collected = submissions.collect(found[0], STEMS)
         self.assertTrue(collected.empty)
         self.assertIn("cannot be read", collected.words)
