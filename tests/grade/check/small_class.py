@@ -133,7 +133,7 @@ def build_class(folder: Path) -> None:
     put("mirrored", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED)})
     put("endless", {"01-corners.c": but("01-corners", upper_left="for (;;) { }")})
     put("crash", {"01-corners.c": but("01-corners", upper_left="return *(vec3 *)0;")})
-    put("no text", {"01-corners.c": "int x = ;\n", "03-screen.c": right("03-screen")})
+    put("no text", {"01-corners.c": '#include "common/vec3.h"\ndouble x(vec3 v)\n{\n    return v.x;\n}\n', "03-screen.c": right("03-screen")})
     put("no assembler", {"01-corners.c": '__asm__("no instruction");\n'})
     put("one function", {"01-corners.c": up_to("01-corners", "upper_right")})
     put("waits", {"01-corners.c": but("01-corners", upper_left=UPSIDE_DOWN,

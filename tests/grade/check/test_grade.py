@@ -52,9 +52,9 @@ class Grade(Sentences):
         self.check("and costs its function only", score(endless, "01-corners") == (8, 10))
         self.check("a crash is 'crashed'", crash["status"] == "crashed", crash["status"])
         no_text = found["no text"]
-        self.check("what does not compile says so, in the compiler's words",
-                   no_text["status"] == "does not compile"
-                   and "expected expression" in no_text["stems"][0]["words"], no_text["stems"][0])
+        self.check("what does not compile says so, in the compiler's words and as 'make exercises' explains them",
+                   no_text["status"] == "does not compile" and "return v.x" in no_text["stems"][0]["words"]
+                   and "a vec3 has no named parts" in no_text["stems"][0]["words"], no_text["stems"][0])
         no_assembler = found["no assembler"]["stems"][0]["words"]
         self.check("the assembler's words are the same in every run and every sandbox",
                    "error" in no_assembler.lower() and "/" not in no_assembler, no_assembler)
@@ -200,8 +200,10 @@ class Environment(Sentences):
                 ("no kit", str(work / "none"), command(folder, work / "out", work / "none"), {}),
                 ("a kit that is a file", str(file), command(folder, work / "out", file), {}),
                 ("a policy that is a folder", "cannot be read", command(folder, work / "out"), {"POLICY": str(work)}),
-                ("a class that is a file", "is a file", command(file, work / "out"), {})):
+                ("a class that is a file", "is a file", command(file, work / "out"), {}),
+                ("a folder without submissions", "holds no submission", command(shut, work / "new seed"), {})):
             self.is_one_sentence(name, wanted, words, **settings)
+        self.check("which changes nothing", not (work / "new seed").exists())
         with open("/dev/full", "w") as full:
             self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
                                  stdout=full)

@@ -104,6 +104,7 @@ class Regrade(Sentences):
         self.check("a chapter is judged again, and no other", was_compiled(out / "mirrored") and not was_compiled(out / "nothing"))
         done = grade(copy, out, SEED="1")
         self.check("another seed marks all again", (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
+        self.check("and that is said", f"was {SEED} and is 1 now: all is marked again" in done.stderr, done.stderr)
         other = work / "other version"
         shutil.copytree("tests/grade", other / "tests" / "grade")
         shutil.copytree("solutions", other / "solutions")
