@@ -70,6 +70,7 @@ class Ledgers(WithFolder):
                 ("anna,01,points,30,,,\n", 18, 30, ["01-corners: points +30"]),
                 ("anna,01,points,-7,,,\n", 8, 30, ["01-corners: points -7"]),
                 ("anna,,points,-70,,,\n", 0, 30, ["points -70"]),
+                ("anna,,points,'-3,,,\n", 11, 30, ["points -3"]),   # as a spreadsheet keeps it
                 ("anna,,credit,1,quiz,,\nanna,,credit,2,essay,,\n", 17, 30, ["credit +1: quiz", "credit +2: essay"]),
                 ("anna,1,credit,40,,,\nanna,,points,5,,,\n", 54, 30, ["01-corners: credit +40", "points +5"]),
                 ("anna,,credit,20,,,\n", 34, 30, ["credit +20"]),
