@@ -66,10 +66,7 @@ static void sets_data(Plot *plot, const Shown *shown, const Sets *sets)
     shown_cells_end(plot, shown, sets->count);
     plot_block(plot, "pixel_sets", "column row sphere");
     for (int i = 0; i < sets->count; i++)
-        plot_row(plot, 3,
-                 (const double[]){sets->sets[i].pixel.column, sets->sets[i].pixel.row,
-                                  sets->sets[i].sphere});
-    plot_block_end(plot);
+        plot_row(plot, sets->sets[i].pixel.column, sets->sets[i].pixel.row, sets->sets[i].sphere);
 }
 
 // The ray of each pixel that is set, up to its hit; one that hits nothing, as far as any is drawn.
@@ -84,11 +81,10 @@ static void rays_data(Plot *plot, const Shown *shown, const Sets *sets)
         double end = hit.sphere < 0 ? farthest : hit.t;
         for (int k = 0; k <= RAY_PLACES; k++) {
             vec3 p = ray.origin + end * k / RAY_PLACES * ray.direction;
-            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], end * k / RAY_PLACES, 1});
+            plot_row_at(plot, p, end * k / RAY_PLACES, 1);
         }
         plot_gap(plot);
     }
-    plot_block_end(plot);
 }
 
 // The pixels of the picture, as the answer to cast_image_order sets them, each with its ray.
@@ -109,7 +105,7 @@ static void image_order_moments(Plot *plot, void *given)
 // how many pixels have been set.
 static void moment(Plot *plot, int sphere, double lines, bool outline, int sets)
 {
-    plot_row(plot, 4, (const double[]){sphere, lines, outline, sets});
+    plot_row(plot, sphere, lines, outline, sets);
 }
 
 static void begin_sphere(Plot *plot, int sphere, int sets)
@@ -139,7 +135,6 @@ static void order_of_spheres(Plot *plot, const Shown *shown, const Sets *sets)
     }
     for (int k = sphere + 1; k < shown->shot.scene->sphere_count; k++)
         begin_sphere(plot, k, sets->count);
-    plot_block_end(plot);
 }
 
 // The pixels of each sphere, and those that it would have if it were alone.
@@ -157,9 +152,8 @@ static void pixels_of_spheres(Plot *plot, const Shown *shown, const Sets *sets)
             inside += alone[k] == 0;
         for (int k = 0; k < sets->count; k++)
             set += sets->sets[k].sphere == i;
-        plot_row(plot, 3, (const double[]){i, set, inside});
+        plot_row(plot, i, set, inside);
     }
-    plot_block_end(plot);
 }
 
 // The spheres as the answer to cast_object_order takes them, each with its outline and its pixels.
@@ -189,7 +183,7 @@ static void object_order_moments(Plot *plot, void *given)
 // sphere has answered. The closest hit before is that of the same ray and fewer spheres.
 static void question(Plot *plot, int sphere, double t, Hit before, bool answered)
 {
-    plot_row(plot, 5, (const double[]){sphere, t, before.t, before.sphere, answered});
+    plot_row(plot, sphere, t, before.t, before.sphere, answered);
 }
 
 // One ray and one sphere after the other: the hit, and the closest hit so far.
@@ -219,7 +213,6 @@ static void closest_hit_moments(Plot *plot, void *given)
     for (int k = 1; k <= TESTING; k++)
         question(plot, -1, (closest.sphere < 0 ? shown_end(shown) : closest.t) * k / TESTING,
                  closest, k == TESTING);
-    plot_block_end(plot);
 }
 
 // ---- the program ------------------------------------------------------------------------------

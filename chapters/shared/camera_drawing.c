@@ -21,7 +21,6 @@ void plane_outline(Plot *plot, const char *name, Camera c)
 {
     plot_block(plot, name, "x y z of the corners, from the upper left on");
     plane_rows(plot, c);
-    plot_block_end(plot);
 }
 
 static void pixels(Plot *plot, Camera c, int columns, int rows)
@@ -38,8 +37,7 @@ static void pixels(Plot *plot, Camera c, int columns, int rows)
         plot_gap(plot);
     }
     if (columns == 1 && rows == 1) // gnuplot complains about an empty block
-        plot_row(plot, 3, (const double[]){NAN, NAN, NAN});
-    plot_block_end(plot);
+        plot_row(plot, NAN, NAN, NAN);
 }
 
 void plane_data(Plot *plot, Camera camera, int columns, int rows)

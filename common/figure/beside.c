@@ -9,7 +9,6 @@ static void vector(Plot *plot, const char *name, vec3 from, vec3 v)
 {
     plot_block(plot, name, "x y z of its start, x y z of the vector");
     plot_row_vector(plot, from, v);
-    plot_block_end(plot);
     plot_fit(plot, from, 0);
     plot_fit(plot, from + v, 0);
 }

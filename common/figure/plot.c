@@ -145,6 +145,7 @@ static bool is_near(Fit part, const char *right, const char *end)
 // The right parts must be visible, however wrong the others are.
 void plot_fit_end(Plot *plot)
 {
+    plot_block_end(plot);
     fclose(plot->fit);
     fputs("$fit << EOD\n# x y z radius of what has to be seen, and its panel\n", plot->script);
     const char *right = "", *yours = plot->fit_text;
@@ -175,43 +176,50 @@ void plot_fit_end(Plot *plot)
 
 void plot_block(Plot *plot, const char *name, const char *columns)
 {
-    plot->block = name;
-    plot->columns = columns;
+    plot_block_end(plot);
+    snprintf(plot->block, sizeof plot->block, "%s", name);
+    snprintf(plot->columns, sizeof plot->columns, "%s", columns);
     plot->rows = open_memstream(&plot->rows_text, &plot->rows_size);
-    plot_view_block(plot, name, columns);
+    plot_view_block(plot);
 }
 
-void plot_row(Plot *plot, int count, const double *numbers)
+void plot_row_of(Plot *plot, int count, const double *numbers)
 {
     for (int i = 0; i < count; i++)
         fprintf(plot->rows, "%s%s", i > 0 ? " " : "", gnuplot_number(numbers[i]).s);
     putc('\n', plot->rows);
 }
 
+void plot_row_at_of(Plot *plot, vec3 place, int count, const double *numbers)
+{
+    for (int i = 0; i < 3; i++)
+        fprintf(plot->rows, "%s%s", gnuplot_number(place[i]).s, i < 2 || count > 0 ? " " : "");
+    plot_row_of(plot, count, numbers);
+}
+
 void plot_row_point(Plot *plot, vec3 point)
 {
     plot_view_row(plot, point, vec3_of(0, 0, 0));
-    plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
+    plot_row_at_of(plot, point, 0, NULL);
 }
 
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector)
 {
     plot_view_row(plot, from, vector);
-    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
+    plot_row_at(plot, from, vector[0], vector[1], vector[2]);
 }
 
-void plot_row_dot(Plot *plot, int count, const double *numbers)
+void plot_row_dot_of(Plot *plot, vec3 place, int count, const double *numbers)
 {
     plot_view_gap(plot);
-    plot_view_row(plot, vec3_of(numbers[0], numbers[1], numbers[2]), vec3_of(0, 0, 0));
-    plot_row(plot, count, numbers);
+    plot_view_row(plot, place, vec3_of(0, 0, 0));
+    plot_row_at_of(plot, place, count, numbers);
 }
 
 void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number)
 {
     plot_view_row(plot, from, vector);
-    plot_row(plot, 7,
-             (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2], number});
+    plot_row_at(plot, from, vector[0], vector[1], vector[2], number);
 }
 
 void plot_gap(Plot *plot)
@@ -253,7 +261,10 @@ static char *drawable(char *rows)
 
 bool plot_block_end(Plot *plot)
 {
+    if (plot->rows == NULL)
+        return false;
     fclose(plot->rows);
+    plot->rows = NULL;
     char *yours = drawable(plot->rows_text);
     fprintf(plot->script, "$%s << EOD\n# %s\n", plot->block, plot->columns);
     const char *right;
@@ -276,6 +287,7 @@ static void define_one(Plot *plot, const char *before, const char *name, const c
 {
     char *said, key[100];
     size_t said_size;
+    plot_block_end(plot);
     FILE *out = open_memstream(&said, &said_size);
     const char *quote = value[0] == '"' ? "\"" : "";
     fputs(quote, out);
@@ -395,7 +407,7 @@ void plot_pair_to(Plot *plot, const char *name, const char *first_name, double f
     char columns[100];
     snprintf(columns, sizeof columns, "%s %s", first_name, second_name);
     plot_block(plot, name, columns);
-    plot_row(plot, 2, (const double[]){first, second});
+    plot_row(plot, first, second);
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, pair_shown_to(first, second, digits).s, is_wrong);
     define_part(plot, name, first_name, first, digits);

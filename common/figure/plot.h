@@ -56,15 +56,26 @@ void plot_pair_to(Plot *plot, const char *name, const char *first_name, double f
 
 // ---- tables (plot.c) --------------------------------------------------------------------------
 
-// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
+// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN. It
+// ends where the next thing of the figure begins.
 void plot_block(Plot *plot, const char *name, const char *columns);
-void plot_row(Plot *plot, int count, const double *numbers);
+#define plot_row(plot, ...) plot_row_of(plot, PLOT_NUMBERS(__VA_ARGS__))
+#define plot_row_at(plot, place, ...) plot_row_at_of(plot, place, PLOT_NUMBERS(__VA_ARGS__))
+#define plot_row_dot(plot, place, ...) plot_row_dot_of(plot, place, PLOT_NUMBERS(__VA_ARGS__))
 void plot_row_point(Plot *plot, vec3 point);              // x y z
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
 void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number); // and one more number
-void plot_row_dot(Plot *plot, int count, const double *numbers); // x y z first: the place of a dot
-void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
-bool plot_block_end(Plot *plot); // whether it differs from what is right
+void plot_gap(Plot *plot); // an empty line: what follows is not joined with what went before
+
+// The same, of numbers in an array: alone, after x y z of a place, and after those of a dot.
+void plot_row_of(Plot *plot, int count, const double *numbers);
+void plot_row_at_of(Plot *plot, vec3 place, int count, const double *numbers);
+void plot_row_dot_of(Plot *plot, vec3 place, int count, const double *numbers);
+#define PLOT_NUMBERS(...)                                                                          \
+    sizeof((const double[]){__VA_ARGS__}) / sizeof(double), (const double[])                       \
+    {                                                                                              \
+        __VA_ARGS__                                                                                \
+    }
 
 // ---- pictures (plot_picture.c) ----------------------------------------------------------------
 
@@ -161,7 +172,7 @@ typedef struct {
 } Label;
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);
-void plot_names(Plot *plot, const Label *labels, size_t count); // an empty text names nothing
+#define plot_names(plot, ...) plot_names_of(plot, PLOT_LABELS(__VA_ARGS__))
 
 // A paragraph below the canvas, in lines as long as the canvas is wide.
 void plot_below(Plot *plot, const char *color, const char *words);
@@ -170,11 +181,19 @@ void plot_below(Plot *plot, const char *color, const char *words);
 double plot_width(const Plot *plot, const char *text);
 
 // Lines of text that name no place, together in a block: near a corner of the canvas, where there
-// is room. 0, 1 is the upper left.
-void plot_say(Plot *plot, double across, double up, const Label *lines, int count);
+// is room. 0, 1 is the upper left. Pinned, the block has its middle exactly there.
+#define plot_say(plot, across, up, ...) plot_say_of(plot, across, up, PLOT_LABELS(__VA_ARGS__))
+#define plot_pin(plot, across, up, ...) plot_pin_of(plot, across, up, PLOT_LABELS(__VA_ARGS__))
 
-// The same, with its middle exactly there.
-void plot_pin(Plot *plot, double across, double up, const Label *lines, int count);
+// The same, of labels in an array: {"$p$", "blue", .block = "p"}. One without a text is left out.
+void plot_names_of(Plot *plot, int count, const Label *labels);
+void plot_say_of(Plot *plot, double across, double up, int count, const Label *lines);
+void plot_pin_of(Plot *plot, double across, double up, int count, const Label *lines);
+#define PLOT_LABELS(...)                                                                           \
+    sizeof((const Label[]){__VA_ARGS__}) / sizeof(Label), (const Label[])                          \
+    {                                                                                              \
+        __VA_ARGS__                                                                                \
+    }
 
 // ---- what can be dragged (plot_handle.c) --------------------------------------------------------
 

@@ -18,8 +18,7 @@ struct Plot {
     FILE *rows; // of the block that is being written
     char *rows_text;
     size_t rows_size;
-    const char *block;
-    const char *columns;
+    char block[60], columns[120];
     char *right;    // the data by right answers; NULL if there are none
     bool wrong;     // something differs from them
     PlotView *view; // from where it is seen, and its labels
@@ -53,6 +52,9 @@ void own_words_define(FILE *out);
 size_t plot_right_value(const Plot *plot, const char *name, const char **begin);
 size_t plot_right_rows(const Plot *plot, const char *block, const char **begin);
 
+// A block ends, if one has begun; returns whether it differs from what is right.
+bool plot_block_end(Plot *plot);
+
 // ---- what has to be seen (plot.c) -------------------------------------------------------------
 
 // Writes $fit, when all else is written: what is right has to be seen, and of what is wrong the
@@ -66,7 +68,7 @@ void plot_view_free(PlotView *view);
 
 // A block begins; a row of it is a place, and what is drawn from there (0: nothing); it ends, and
 // these are its right rows, if there are any.
-void plot_view_block(Plot *plot, const char *name, const char *columns);
+void plot_view_block(Plot *plot);
 void plot_view_row(Plot *plot, vec3 from, vec3 vector);
 void plot_view_gap(Plot *plot);
 void plot_view_block_end(Plot *plot, const char *right, size_t size);

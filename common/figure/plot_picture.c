@@ -103,6 +103,7 @@ void plot_picture(Plot *plot, const char *name, const Image *image, double allow
     char parts[100];
     const char *right_means, *right_picture;
     MeanColors means;
+    plot_block_end(plot);
     find_means(image, &means);
     snprintf(parts, sizeof parts, "%s_parts", name);
     size_t means_size = plot_right_rows(plot, parts, &right_means);

@@ -194,6 +194,7 @@ void plot_fill_room(Plot *plot)
 
 void plot_panel(Plot *plot, int panel)
 {
+    plot_block_end(plot);
     plot->view->panel = panel;
 }
 
@@ -233,30 +234,35 @@ void plot_name(Plot *plot, Label label)
     snprintf(wanted->block, sizeof wanted->block, "%s", label.block != NULL ? label.block : "");
 }
 
-void plot_names(Plot *plot, const Label *labels, size_t count)
+void plot_names_of(Plot *plot, int count, const Label *labels)
 {
-    for (size_t i = 0; i < count; i++)
+    for (int i = 0; i < count; i++)
         if (labels[i].text[0] != '\0')
             plot_name(plot, labels[i]);
 }
 
-void plot_say(Plot *plot, double across, double up, const Label *lines, int count)
+static void say(Plot *plot, int count, const Label *lines, Wanted block)
 {
-    for (int i = 0; i < count; i++) {
-        plot_name(plot, lines[i]);
-        Wanted *wanted = (Wanted *)plot->view->wanted.items + plot->view->wanted.count - 1;
-        wanted->lines = i == 0 ? count : -1; // -1: in the block of one before it
-        wanted->across = across;
-        wanted->up = up;
-        wanted->pinned = false;
+    List *all = &plot->view->wanted;
+    int first = all->count;
+    plot_names_of(plot, count, lines);
+    for (int i = first; i < all->count; i++) {
+        Wanted *wanted = (Wanted *)all->items + i;
+        wanted->lines = i == first ? all->count - first : -1; // -1: in the block of one before it
+        wanted->across = block.across;
+        wanted->up = block.up;
+        wanted->pinned = i == first && block.pinned;
     }
 }
 
-void plot_pin(Plot *plot, double across, double up, const Label *lines, int count)
+void plot_say_of(Plot *plot, double across, double up, int count, const Label *lines)
 {
-    int first = plot->view->wanted.count;
-    plot_say(plot, across, up, lines, count);
-    ((Wanted *)plot->view->wanted.items + first)->pinned = true;
+    say(plot, count, lines, (Wanted){.across = across, .up = up});
+}
+
+void plot_pin_of(Plot *plot, double across, double up, int count, const Label *lines)
+{
+    say(plot, count, lines, (Wanted){.across = across, .up = up, .pinned = true});
 }
 
 // ---- what is drawn ------------------------------------------------------------------------------
@@ -299,11 +305,13 @@ void plot_line_from(Plot *plot, int panel, vec3 from, vec3 to)
 
 void plot_undrawn(Plot *plot)
 {
+    plot_block_end(plot);
     plot->view->block = "";
 }
 
 void plot_moved(Plot *plot, double u, double v)
 {
+    plot_block_end(plot);
     plot->view->moved_u = u;
     plot->view->moved_v = v;
 }
@@ -339,12 +347,12 @@ static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
     view->last = from;
 }
 
-void plot_view_block(Plot *plot, const char *name, const char *columns)
+void plot_view_block(Plot *plot)
 {
     PlotView *view = plot->view;
     bool undrawn = view->block != NULL && *view->block == '\0';
-    view->is_drawn = !undrawn && strncmp(columns, "x y z", 5) == 0;
-    view->block = name;
+    view->is_drawn = !undrawn && strncmp(plot->columns, "x y z", 5) == 0;
+    view->block = plot->block;
     view->row = 0;
     view->joins = false;
 }

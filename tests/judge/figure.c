@@ -176,7 +176,7 @@ static bool is_taken(Places places, double tick, double stride)
 
 static void axis_row(Plot *plot, const Axis *axis, double t)
 {
-    plot_row_dot(plot, 4, (const double[]){t * axis->unit, axis->y, 0, t});
+    plot_row_dot(plot, vec3_of(t * axis->unit, axis->y, 0), t);
 }
 
 static void axis_ticks(Plot *plot, const Axis *axis)
@@ -191,7 +191,6 @@ static void axis_ticks(Plot *plot, const Axis *axis)
         plot_name(plot, (Label){number_shown_to(n * step, 10).s, "grey", .block = "ticks",
                                 .row = row, .aside = vec3_of(0, 1, 0)});
     }
-    plot_block_end(plot);
 }
 
 static void axis_marks(Plot *plot, const Axis *axis, const char *name, Places places, Label label)
@@ -203,7 +202,6 @@ static void axis_marks(Plot *plot, const Axis *axis, const char *name, Places pl
         label.row = i;
         plot_name(plot, label);
     }
-    plot_block_end(plot);
 }
 
 // $axis and $ticks, with round numbers, except where the results are; $answer and $yours, x y z t,
@@ -262,7 +260,7 @@ static void write_spheres(Plot *plot, const Section *section, Range *x, Range *y
         if (vec3_length(below) == 0)
             below = away;
         double aside = vec3_length(away) * (vec3_dot(away, below) < 0 ? 1 : -1);
-        plot_row(plot, 4, (const double[]){ahead, aside, r, i});
+        plot_row(plot, ahead, aside, r, i);
         plot_circle(plot, vec3_of(ahead, aside, 0), r);
         plot_fit(plot, vec3_of(ahead, aside, 0), r);
         if (section->has_names && i < MOST_NAMES)
@@ -274,7 +272,6 @@ static void write_spheres(Plot *plot, const Section *section, Range *x, Range *y
         range_add(y, aside - r);
         range_add(y, aside + r);
     }
-    plot_block_end(plot);
 }
 
 // From the axis to the ray.
@@ -389,7 +386,6 @@ static int write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range
         }
         begun = seen;
     }
-    plot_block_end(plot);
     return rows;
 }
 
@@ -480,7 +476,6 @@ static void write_panel(Plot *plot, const char *name, Panel panel)
         plot_row_point(plot, drawn(panel, corners[i]));
         plot_fit(plot, drawn(panel, corners[i]), 0);
     }
-    plot_block_end(plot);
 }
 
 // Where it begins and ends, in words.
@@ -606,7 +601,6 @@ static void write_outline(Plot *plot, Camera c, Resolution screen, Sphere sphere
     }
     if (!seen)
         plot_row_point(plot, vec3_of(0, 0, 0));
-    plot_block_end(plot);
 }
 
 static Text box_words(ScreenRectangle box)
@@ -682,7 +676,6 @@ static void write_plane(Plot *plot, vec3 eye, const vec3 corners[4])
     plot_block(plot, "plane", "x y z of the corners, from the upper left on");
     for (int i = 0; i < 5; i++)
         plot_row_point(plot, eye + corners[i % 4]);
-    plot_block_end(plot);
     plot_block(plot, "grid", "x y z of the two ends of a line");
     vec3 origin = eye + corners[3], across = corners[2] - corners[3], up = corners[0] - corners[3];
     for (int i = 1; i < GRID; i++) {
@@ -694,7 +687,6 @@ static void write_plane(Plot *plot, vec3 eye, const vec3 corners[4])
         plot_row_point(plot, origin + part * up + across);
         plot_gap(plot);
     }
-    plot_block_end(plot);
     for (int i = 0; i < 4; i++)
         plot_fit(plot, eye + corners[i], 0);
 }
@@ -830,7 +822,6 @@ static void write_arms(Plot *plot, const char *name, Camera c)
         plot_row_vector(plot, c.origin, arms[i]);
         plot_fit(plot, c.origin + arms[i], 0);
     }
-    plot_block_end(plot);
     plot_fit(plot, c.origin, 0);
 }
 
@@ -884,13 +875,10 @@ static bool draw_camera(Plot *plot, Wrong *wrong)
     plot_point(plot, "eye", a.origin);
     write_arms(plot, "answer", a);
     write_arms(plot, "yours", b);
-    static const Label names[] = {
-        {"$p$", "blue", .block = "eye"},
-        {"$d f$", "pink", .block = "answer", .row = 0, .part = 1},
-        {"$w r$", "orange", .block = "answer", .row = 1, .part = 1},
-        {"$h u$", "green", .block = "answer", .row = 2, .part = 1},
-    };
-    plot_names(plot, names, sizeof names / sizeof *names);
+    plot_names(plot, {"$p$", "blue", .block = "eye"},
+               {"$d f$", "pink", .block = "answer", .row = 0, .part = 1},
+               {"$w r$", "orange", .block = "answer", .row = 1, .part = 1},
+               {"$h u$", "green", .block = "answer", .row = 2, .part = 1});
     say(plot, wrong, (BesideWords){right.s, yours.s, "", "dashed"});
     return true;
 }

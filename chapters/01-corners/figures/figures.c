@@ -83,21 +83,17 @@ static void camera_frame(Plot *plot, void *given)
     plot_block(plot, "to_corners", "x y z of the eye, x y z of the vector to a corner");
     for (int i = 0; i < 4; i++)
         plot_row_vector(plot, c.origin, corners[i]);
-    plot_block_end(plot);
     plot_look(plot, c.right, c.up, c.forward, 32, 16);
-    static const Label labels[] = {
-        {"$p$", "blue", .block = "eye"},
-        {"$r$", "orange", .block = "right_arrow", .part = 1},
-        {"$u$", "green", .block = "up_arrow", .part = 1},
-        {"$f$", "pink", .block = "forward_arrow", .part = ANYWHERE},
-        {"$d$ = {d}", "pink", .step = 2, .block = "ahead", .part = 0.55},
-        {"$w$ = {w}", "orange", .step = 2, .block = "upper_edge", .part = ANYWHERE},
-        {"$h$ = {h}", "green", .step = 2, .block = "right_edge", .part = ANYWHERE},
-        {"$x$", "grey", .block = "x_axis", .part = 1},
-        {"$y$", "grey", .block = "y_axis", .part = 1},
-        {"$z$", "grey", .block = "z_axis", .part = 1},
-    };
-    plot_names(plot, labels, COUNT(labels));
+    plot_names(plot, {"$p$", "blue", .block = "eye"},
+               {"$r$", "orange", .block = "right_arrow", .part = 1},
+               {"$u$", "green", .block = "up_arrow", .part = 1},
+               {"$f$", "pink", .block = "forward_arrow", .part = ANYWHERE},
+               {"$d$ = {d}", "pink", .step = 2, .block = "ahead", .part = 0.55},
+               {"$w$ = {w}", "orange", .step = 2, .block = "upper_edge", .part = ANYWHERE},
+               {"$h$ = {h}", "green", .step = 2, .block = "right_edge", .part = ANYWHERE},
+               {"$x$", "grey", .block = "x_axis", .part = 1},
+               {"$y$", "grey", .block = "y_axis", .part = 1},
+               {"$z$", "grey", .block = "z_axis", .part = 1});
     camera_handles(plot, c);
 }
 
@@ -134,19 +130,16 @@ static void corner_vectors(Plot *plot, void *given)
     plot_vector(plot, "upper_left", c.origin, upper_left(c));
     plot_vector(plot, "upper_right", c.origin, upper_right(c));
     plot_look(plot, c.right, c.up, c.forward, 34, 16);
-    static const Label labels[] = {
-        {"$p$", "blue", .block = "eye"},
-        {"$d f$", "pink", .block = "ahead", .part = ANYWHERE},
-        {"$−(w/2) r$", "orange", .step = 2, .block = "aside_left", .part = ANYWHERE},
-        {"$+(h/2) u$", "green", .step = 2, .block = "up_left", .part = ANYWHERE},
-        {"$d f − (w/2) r + (h/2) u$\n= {upper_left}", "blue", .step = 3, .block = "upper_left",
-         .part = 1},
-        {"$+(w/2) r$", "orange", .step = 4, .block = "aside_right", .part = ANYWHERE},
-        {"$+(h/2) u$", "green", .step = 4, .block = "up_right", .part = ANYWHERE},
-        {"$d f + (w/2) r + (h/2) u$\n= {upper_right}", "blue", .step = 5, .block = "upper_right",
-         .part = 1},
-    };
-    plot_names(plot, labels, COUNT(labels));
+    plot_names(plot, {"$p$", "blue", .block = "eye"},
+               {"$d f$", "pink", .block = "ahead", .part = ANYWHERE},
+               {"$−(w/2) r$", "orange", .step = 2, .block = "aside_left", .part = ANYWHERE},
+               {"$+(h/2) u$", "green", .step = 2, .block = "up_left", .part = ANYWHERE},
+               {"$d f − (w/2) r + (h/2) u$\n= {upper_left}", "blue", .step = 3,
+                .block = "upper_left", .part = 1},
+               {"$+(w/2) r$", "orange", .step = 4, .block = "aside_right", .part = ANYWHERE},
+               {"$+(h/2) u$", "green", .step = 4, .block = "up_right", .part = ANYWHERE},
+               {"$d f + (w/2) r + (h/2) u$\n= {upper_right}", "blue", .step = 5,
+                .block = "upper_right", .part = 1});
     camera_handles(plot, c);
 }
 
@@ -177,20 +170,15 @@ static void point_30_10(Plot *plot, void *given)
     plot_vector(plot, "vector", c.origin, v);
     plot_fit(plot, c.origin + v, 0);
     plot_look(plot, c.right, c.up, c.forward, 42, 16);
-    static const Label labels[] = {
-        {"$p$", "blue", .block = "eye"},
-        {"{percent_across} %", "orange", .block = "across", .part = ANYWHERE},
-        {"{percent_up} %", "green", .block = "upward", .part = ANYWHERE},
-        {"$d f$", "pink", .step = 2, .block = "ahead", .part = ANYWHERE},
-        {"$(s − ½) w r$", "orange", .step = 2, .block = "aside", .part = ANYWHERE},
-        {"$(t − ½) h u$", "green", .step = 2, .block = "up_or_down", .part = ANYWHERE},
-        {"$d f + (s − ½) w r + (t − ½) h u$\n= {vector}", "blue", .step = 3, .block = "vector",
-         .part = 1},
-    };
-    static const Label place[] = {{"$s$ = {s}", "orange", .step = 1},
-                                  {"$t$ = {t}", "green", .step = 1}};
-    plot_names(plot, labels, COUNT(labels));
-    plot_say(plot, 0, 1, place, COUNT(place));
+    plot_names(plot, {"$p$", "blue", .block = "eye"},
+               {"{percent_across} %", "orange", .block = "across", .part = ANYWHERE},
+               {"{percent_up} %", "green", .block = "upward", .part = ANYWHERE},
+               {"$d f$", "pink", .step = 2, .block = "ahead", .part = ANYWHERE},
+               {"$(s − ½) w r$", "orange", .step = 2, .block = "aside", .part = ANYWHERE},
+               {"$(t − ½) h u$", "green", .step = 2, .block = "up_or_down", .part = ANYWHERE},
+               {"$d f + (s − ½) w r + (t − ½) h u$\n= {vector}", "blue", .step = 3,
+                .block = "vector", .part = 1});
+    plot_say(plot, 0, 1, {"$s$ = {s}", "orange", .step = 1}, {"$t$ = {t}", "green", .step = 1});
     place_handle(plot, view);
     camera_handles(plot, c);
 }
@@ -225,7 +213,6 @@ static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
     plot_block(plot, name, "x y z of a place, x y z of the way down to a dimension");
     plot_row_vector(plot, c.origin, down);
     plot_row_vector(plot, c.origin + below, end - c.origin - below);
-    plot_block_end(plot);
 }
 
 static void name_dimensions(Plot *plot, const char *which, int step, const char *note,
@@ -256,7 +243,6 @@ static void common_rays(Plot *plot, const View *view, double farthest)
         plot_row_vector(plot, c.origin, v);
         plot_fit(plot, c.origin + v, 0);
     }
-    plot_block_end(plot);
 }
 
 static Camera scaled(Camera c, double times)
@@ -292,7 +278,6 @@ static void double_dwh(Plot *plot, void *given)
     plot_block(plot, "same_place", "x y z of the points where the last ray meets each plane");
     for (int i = 0; i < PLANES; i++)
         plot_row_point(plot, cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t));
-    plot_block_end(plot);
     // The longest dimension is the lowest.
     double level = 0.08 * farthest * largest(c), lowest = 0.575 * farthest * c.height;
     for (int i = 0; i < PLANES; i++) {
@@ -348,14 +333,12 @@ static void yours_and_right(Plot *plot, void *given)
     plot_label(plot, "off_vector", off.s);
     // A wrong answer of the user takes the place of the example.
     bool is_wrong = plot_says_yours(plot, "answer");
-    const Label words[] = {
-        {"right: {answer}", "blue", .step = 1},
+    plot_say(
+        plot, 0, 1, {"right: {answer}", "blue", .step = 1},
         {is_wrong ? "yours: {your_answer}" : "yours: {yours}", "ink", .step = 2},
-        {"{off_vector}", "grey", .step = 3},
-        {steps != NULL ? "{off_steps}" : "Is (0, 0) the corner or the center?", "grey", .step = 3},
-        {"Is (0, 0) the corner or the center?", "grey", .step = 3},
-    };
-    plot_say(plot, 0, 1, words, is_wrong ? 2 : 3 + (steps != NULL) + example);
+        {is_wrong ? "" : "{off_vector}", "grey", .step = 3},
+        {!is_wrong && steps != NULL ? "{off_steps}" : "", "grey", .step = 3},
+        {!is_wrong && example ? "Is (0, 0) the corner or the center?" : "", "grey", .step = 3});
 }
 
 static const Figure figures[] = {

@@ -64,17 +64,14 @@ static void plot_found(Plot *plot, Found found, int form)
     plot_row_vector(plot, middle, length * c.right);
     plot_row_vector(plot, middle, length * c.up);
     plot_row_vector(plot, middle, length * c.forward);
-    plot_block_end(plot);
 }
 
 // The letters of the frame, where there is room for them; in the other panels, colors say which.
 static void name_frame(Plot *plot)
 {
-    static const Label letters[] = {
-        {"$r$", "orange", .step = 5, .block = "frame1", .part = 1},
-        {"$u$", "green", .step = 5, .block = "frame1", .row = 1, .part = 1},
-        {"$f$", "pink", .step = 5, .block = "frame1", .row = 2, .part = 1}};
-    plot_names(plot, letters, sizeof letters / sizeof *letters);
+    plot_names(plot, {"$r$", "orange", .step = 5, .block = "frame1", .part = 1},
+               {"$u$", "green", .step = 5, .block = "frame1", .row = 1, .part = 1},
+               {"$f$", "pink", .step = 5, .block = "frame1", .row = 2, .part = 1});
 }
 
 // What each panel has: the eye, and a part of the canvas of its own, under its title.
@@ -92,8 +89,8 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     plot_fit(plot, c.origin + (c.distance + frame_length(c)) * c.forward, 0);
     if (form == 0)
         plot_name(plot, (Label){"eye", "blue", .step = 1, .block = block});
-    const Label words = {title, "ink", .step = form + 1};
-    plot_pin(plot, form % 2 == 0 ? 0.25 : 0.75, form < 2 ? 0.97 : 0.502, &words, 1);
+    plot_pin(plot, form % 2 == 0 ? 0.25 : 0.75, form < 2 ? 0.97 : 0.502,
+             {title, "ink", .step = form + 1});
 }
 
 enum { LINE = 104 }; // whose camera it is, a space, and its words
@@ -126,7 +123,7 @@ static void plot_results(Plot *plot, const Found *found, int count)
             used += result_lines(plot, who, given, lines + used, yours);
         }
     }
-    plot_pin(plot, 0.5, 0.035 * used, lines, used);
+    plot_pin_of(plot, 0.5, 0.035 * used, used, lines);
 }
 
 static void look_at_panel(Plot *plot, Forms forms)
@@ -139,11 +136,8 @@ static void look_at_panel(Plot *plot, Forms forms)
     plot_vector(plot, "view", view.eye, view.at - view.eye);
     plot_vector(plot, "up_arrow", view.eye, up);
     plot_fit(plot, view.eye + up, 0);
-    static const Label labels[] = {
-        {"at", "pink", .step = 1, .block = "view", .part = 0.97},
-        {"up", "green", .step = 1, .block = "up_arrow", .part = 1},
-    };
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
+    plot_names(plot, {"at", "pink", .step = 1, .block = "view", .part = 0.97},
+               {"up", "green", .step = 1, .block = "up_arrow", .part = 1});
 }
 
 // Four vectors from the eye, or the four points.
@@ -156,11 +150,10 @@ static void corners_panel(Plot *plot, const char *block, const vec3 corners[4], 
                             "lower");
     for (int i = 0; i < 4; i++) {
         if (are_points)
-            plot_row_dot(plot, 3, (const double[]){corners[i][0], corners[i][1], corners[i][2]});
+            plot_row_dot_of(plot, corners[i], 0, NULL);
         else
             plot_row_vector(plot, eye, corners[i]);
     }
-    plot_block_end(plot);
 }
 
 static void corner_panel(Plot *plot, Forms forms)
@@ -168,11 +161,8 @@ static void corner_panel(Plot *plot, Forms forms)
     plot_point(plot, "lower_left", forms.points.lower_left);
     plot_vector(plot, "across", forms.points.lower_left, forms.across);
     plot_vector(plot, "upward", forms.points.lower_left, forms.upward);
-    static const Label labels[] = {
-        {"across", "orange", .step = 3, .block = "across", .part = 1},
-        {"up", "green", .step = 3, .block = "upward", .part = 1},
-    };
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
+    plot_names(plot, {"across", "orange", .step = 3, .block = "across", .part = 1},
+               {"up", "green", .step = 3, .block = "upward", .part = 1});
 }
 
 // Each form, and the camera that exercise 02 finds from it.
@@ -247,26 +237,21 @@ static void frame_panel(Plot *plot, Camera c, vec3 up, Camera found)
     const double round[5][2] = {{0, 0}, {1.2, 0}, {1.2, 1.2}, {0, 1.2}, {0, 0}};
     for (int i = 0; i < 5; i++)
         plot_row_point(plot, eye + round[i][0] * f + round[i][1] * u);
-    plot_block_end(plot);
     from_eye(plot, "view", eye, 1.5 * f);
     from_eye(plot, "given_up", eye, up);
     from_eye(plot, "f", eye, found.forward);
     from_eye(plot, "r", eye, found.right);
     from_eye(plot, "u", eye, found.up);
-    static const Label names[] = {{"eye", "grey", .block = "eye"},
-                                  {"to at", "grey", .block = "view", .part = 1},
-                                  {"$f$", "pink", .step = 1, .block = "f", .part = ANYWHERE},
-                                  {"up", "ink", .step = 2, .block = "given_up", .part = 1},
-                                  {"$r$", "orange", .step = 3, .block = "r", .part = 1},
-                                  {"$u$", "green", .step = 4, .block = "u", .part = 1}};
-    plot_names(plot, names, sizeof names / sizeof *names);
-    const Label words[] = {
-        {"$f$ from the eye to at", "pink", .step = 1},
-        {"up = {lean}", "ink", .step = 2},
-        {is_right_handed ? "$r$ along $f$ × up = {r!}" : "$r$ along up × $f$ = {r!}", "orange",
-         .step = 3},
-        {is_right_handed ? "$u = r × f$ = {u!}" : "$u = f × r$ = {u!}", "green", .step = 4}};
-    plot_say(plot, 0, 1, words, sizeof words / sizeof *words);
+    plot_names(plot, {"eye", "grey", .block = "eye"}, {"to at", "grey", .block = "view", .part = 1},
+               {"$f$", "pink", .step = 1, .block = "f", .part = ANYWHERE},
+               {"up", "ink", .step = 2, .block = "given_up", .part = 1},
+               {"$r$", "orange", .step = 3, .block = "r", .part = 1},
+               {"$u$", "green", .step = 4, .block = "u", .part = 1});
+    plot_say(plot, 0, 1, {"$f$ from the eye to at", "pink", .step = 1},
+             {"up = {lean}", "ink", .step = 2},
+             {is_right_handed ? "$r$ along $f$ × up = {r!}" : "$r$ along up × $f$ = {r!}", "orange",
+              .step = 3},
+             {is_right_handed ? "$u = r × f$ = {u!}" : "$u = f × r$ = {u!}", "green", .step = 4});
 }
 
 // Panel 2: the eye and the image plane from above; half of the width and the distance are the sides
@@ -291,13 +276,10 @@ static void angle_panel(Plot *plot, Camera c)
     plot_fit(plot, vec3_of(0, 0, 0), 0);
     plot_fit(plot, vec3_of(c.distance, most, 0), 0);
     plot_fit(plot, vec3_of(c.distance, -most, 0), 0);
-    static const Label names[] = {
-        {"eye", "grey", .step = 5, .block = "corner"},
-        {"$d$ = {distance}", "pink", .step = 5, .block = "ahead", .part = ANYWHERE},
-        {"$w/2$ = {half}", "orange", .step = 5, .block = "half_width", .part = ANYWHERE}};
-    plot_names(plot, names, sizeof names / sizeof *names);
-    static const Label words = {"half the angle: {half_degrees}°", "ink", .step = 5};
-    plot_pin(plot, 0.78, 0.08, &words, 1);
+    plot_names(plot, {"eye", "grey", .step = 5, .block = "corner"},
+               {"$d$ = {distance}", "pink", .step = 5, .block = "ahead", .part = ANYWHERE},
+               {"$w/2$ = {half}", "orange", .step = 5, .block = "half_width", .part = ANYWHERE});
+    plot_pin(plot, 0.78, 0.08, {"half the angle: {half_degrees}°", "ink", .step = 5});
     plot_panel(plot, 1);
 }
 

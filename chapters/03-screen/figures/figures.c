@@ -45,7 +45,6 @@ static void point_panel(Plot *plot, PointPanel p)
     plot_block(plot, p.outline, "x y z of the corners");
     for (int i = 0; i < 5; i++)
         plot_row_point(plot, corners[i]);
-    plot_block_end(plot);
     plot_point(plot, p.origin, flat(0, 0));
     axis(plot, p.first, flat(0, level), flat(p.x, level));
     axis(plot, p.second, flat(left, 0), flat(left, p.y));
@@ -57,21 +56,19 @@ static void point_panel(Plot *plot, PointPanel p)
 
 static void screen_to_unit_words(Plot *plot)
 {
-    const Label mapping[] = {{"$s = x/${screen_W}", "orange", .step = 3},
-                             {"$t = 1 − y/${screen_H}", "green", .step = 3}};
     // The arrow between them, which the layout draws.
     plot_keep_clear(plot, (Room){0.455, 0.615, 0.42, 0.44}, (Room){0.43, 0.64, 0.42, 0.44});
-    plot_pin(plot, 0.535, 0.57, &mapping[0], 1);
-    plot_pin(plot, 0.535, 0.43, &mapping[1], 1);
+    plot_pin(plot, 0.535, 0.57, {"$s = x/${screen_W}", "orange", .step = 3});
+    plot_pin(plot, 0.535, 0.43, {"$t = 1 − y/${screen_H}", "green", .step = 3});
     const char *from_top =
         plot_shown(plot, "point_y") < 0 ? "1 − ({point_y})/{screen_H}" : "1 − {point_y}/{screen_H}";
     char second[100];
     snprintf(second, sizeof second, "$t =$ %s = {place_t}", from_top);
-    const Label words[] = {{"$s =$ {point_x}/{screen_W} = {place_s}", "orange", .step = 5},
-                           {second, "green", .step = 5},
-                           {"yours: {your_place}", "ink", .step = 5}};
-    plot_pin(plot, 0.5, plot_says_yours(plot, "place") ? 0.14 : 0.1, words,
-             plot_says_yours(plot, "place") ? 3 : 2);
+    bool is_wrong = plot_says_yours(plot, "place");
+    plot_pin(plot, 0.5, is_wrong ? 0.14 : 0.1,
+             {"$s =$ {point_x}/{screen_W} = {place_s}", "orange", .step = 5},
+             {second, "green", .step = 5},
+             {is_wrong ? "yours: {your_place}" : "", "ink", .step = 5});
 }
 
 static void screen_to_unit(Plot *plot, void *given)
@@ -85,17 +82,14 @@ static void screen_to_unit(Plot *plot, void *given)
     plot_room(plot, (Room){0.03, 0.41, 0.24, 0.84}, (Room){0.02, 0.40, 0.24, 0.84});
     point_panel(plot, (PointPanel){"screen_outline", "screen_origin", "x", "y", spot->screen.width,
                                    -spot->screen.height, spot->point.x, -spot->point.y, 0, false});
-    const Label first[] = {
-        {"origin", "ink", .block = "screen_origin"},
-        {"$x$", "orange", .block = "x_axis", .part = ANYWHERE},
-        {"{screen_W}", "orange", .block = "x_axis", .part = 1},
-        {"$y$", "green", .block = "y_axis", .part = ANYWHERE},
-        {"{screen_H}", "green", .block = "y_axis", .part = 1},
-        {"{point}", "blue", .place = flat(spot->point.x, -spot->point.y)},
-        {"{point_x}", "orange", .block = "x", .part = ANYWHERE},
-        {"{point_y}", "green", .block = "y", .part = ANYWHERE},
-    };
-    plot_names(plot, first, sizeof first / sizeof *first);
+    plot_names(plot, {"origin", "ink", .block = "screen_origin"},
+               {"$x$", "orange", .block = "x_axis", .part = ANYWHERE},
+               {"{screen_W}", "orange", .block = "x_axis", .part = 1},
+               {"$y$", "green", .block = "y_axis", .part = ANYWHERE},
+               {"{screen_H}", "green", .block = "y_axis", .part = 1},
+               {"{point}", "blue", .place = flat(spot->point.x, -spot->point.y)},
+               {"{point_x}", "orange", .block = "x", .part = ANYWHERE},
+               {"{point_y}", "green", .block = "y", .part = ANYWHERE});
     plot_handle(plot, (Handle){.words = "the point on the screen",
                                .place = flat(spot->point.x, -spot->point.y),
                                .option = {"point"},
@@ -108,15 +102,12 @@ static void screen_to_unit(Plot *plot, void *given)
     double s = plot_shown(plot, "place_s"), t = plot_shown(plot, "place_t");
     point_panel(plot, (PointPanel){"square", "square_origin", "s", "t", 1, 1, s, t, 0, true});
     plot_vector(plot, "from_top", flat(s, 1), flat(0, t - 1));
-    const Label second[] = {
-        {"origin", "ink", .step = 2, .block = "square_origin"},
-        {"$s$", "orange", .step = 2, .block = "s_axis", .part = ANYWHERE},
-        {"1", "orange", .step = 2, .block = "s_axis", .part = 1},
-        {"$t$", "green", .step = 2, .block = "t_axis", .part = ANYWHERE},
-        {"1", "green", .step = 2, .block = "t_axis", .part = 1},
-        {"$(s, t)$", "blue", .step = 4, .place = flat(s, t)},
-    };
-    plot_names(plot, second, sizeof second / sizeof *second);
+    plot_names(plot, {"origin", "ink", .step = 2, .block = "square_origin"},
+               {"$s$", "orange", .step = 2, .block = "s_axis", .part = ANYWHERE},
+               {"1", "orange", .step = 2, .block = "s_axis", .part = 1},
+               {"$t$", "green", .step = 2, .block = "t_axis", .part = ANYWHERE},
+               {"1", "green", .step = 2, .block = "t_axis", .part = 1},
+               {"$(s, t)$", "blue", .step = 4, .place = flat(s, t)});
     plot_panel(plot, 1);
     screen_to_unit_words(plot);
 }
@@ -150,8 +141,8 @@ static double end_of(Shown shown)
 
 static void line(Plot *plot, double x0, double y0, double x1, double y1)
 {
-    plot_row(plot, 2, (const double[]){x0, y0});
-    plot_row(plot, 2, (const double[]){x1, y1});
+    plot_row(plot, x0, y0);
+    plot_row(plot, x1, y1);
     plot_gap(plot);
 }
 
@@ -165,15 +156,14 @@ static void lines(Plot *plot, Shown columns, Shown rows, bool outer)
         if ((i == 0 || i == rows.all) == outer)
             line(plot, begin_of(columns), i, end_of(columns), i);
     // A screen of one pixel has no line inside, but a block must not be empty.
-    plot_row(plot, 2, (const double[]){NAN, NAN});
+    plot_row(plot, NAN, NAN);
 }
 
 static void counted(Plot *plot, const char *name, Shown shown)
 {
     plot_block(plot, name, "the number of each, and also the coordinate where it begins");
     for (int i = shown.first; i < shown.end; i++)
-        plot_row(plot, 1, (const double[]){i});
-    plot_block_end(plot);
+        plot_row(plot, i);
 }
 
 static void centers(Plot *plot, Shown columns, Shown rows)
@@ -182,9 +172,8 @@ static void centers(Plot *plot, Shown columns, Shown rows)
     for (int row = rows.first; row < rows.end; row++)
         for (int column = columns.first; column < columns.end; column++) {
             ScreenPoint center = pixel_center((Pixel){column, row});
-            plot_row(plot, 2, (const double[]){center.x, center.y});
+            plot_row(plot, center.x, center.y);
         }
-    plot_block_end(plot);
 }
 
 static void pixel_grid(Plot *plot, void *given)
@@ -209,17 +198,14 @@ static void pixel_grid(Plot *plot, void *given)
     plot_pair(plot, "center", "x", center.x, "y", center.y);
     plot_pair_to(plot, "place", "s", place.s, "t", place.t, place_digits(screen));
     plot_block(plot, "sample", "x y of the center, s t of the same");
-    plot_row(plot, 4, (const double[]){center.x, center.y, place.s, place.t});
-    plot_block_end(plot);
+    plot_row(plot, center.x, center.y, place.s, place.t);
     plot_number(plot, "whole", whole);
     plot_pair(plot, "begin", "x", begin_of(columns), "y", begin_of(rows));
     plot_pair(plot, "end", "x", end_of(columns), "y", end_of(rows));
     plot_block(plot, "grid", "x y of the two ends of a line between pixels");
     lines(plot, columns, rows, false);
-    plot_block_end(plot);
     plot_block(plot, "edges", "x y of the two ends of an edge of the screen");
     lines(plot, columns, rows, true);
-    plot_block_end(plot);
     counted(plot, "columns", columns);
     counted(plot, "rows", rows);
     centers(plot, columns, rows);

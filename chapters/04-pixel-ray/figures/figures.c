@@ -29,7 +29,6 @@ static void flat_panel(Plot *plot, const char *name, vec3 corner, vec3 size, vec
     for (int i = 0; i < 5; i++)
         plot_row_point(
             plot, corner + flat(i == 1 || i == 2 ? size[0] : 0, i == 2 || i == 3 ? size[1] : 0));
-    plot_block_end(plot);
     plot_fit(plot, corner, 0);
     plot_fit(plot, corner + size, 0);
     snprintf(block, sizeof block, "%s_point", name);
@@ -81,12 +80,9 @@ static vec3 vector_data(Plot *plot, Camera c, Normalized place)
     // A wrong place may be far away, and would make everything else too small to see.
     if (fabs(place.s - 0.5) <= 0.5 && fabs(place.t - 0.5) <= 0.5)
         plot_fit(plot, c.origin + FAR * there, 0);
-    const Label names[] = {
-        {"$p$", "blue", .step = 4, .block = "eye"},
-        {"$v$", "blue", .step = 4, .block = "vector", .part = 0.4},
-        {"$p + t v$", "blue", .step = 5, .block = "ray", .part = 1},
-    };
-    plot_names(plot, names, sizeof names / sizeof *names);
+    plot_names(plot, {"$p$", "blue", .step = 4, .block = "eye"},
+               {"$v$", "blue", .step = 4, .block = "vector", .part = 0.4},
+               {"$p + t v$", "blue", .step = 5, .block = "ray", .part = 1});
     return there;
 }
 
@@ -144,21 +140,13 @@ static void pixel_to_ray(Plot *plot, void *given)
     plot_vector(plot, "ray", ray.origin, FAR * ray.direction);
     vec3 vector = vector_data(plot, c, place);
     chain(plot, aim, center, place);
-    static const Label pixel[] = {
-        {"pixel {pixel}", "ink", .step = 1},
-        {"center {center}", "ink", .step = 2},
-        {"$s = x/${screen_W} = {place_s}", "orange", .step = 3},
-        {"$t = 1 − y/${screen_H} = {place_t}", "green", .step = 3},
-    };
-    static const Label sum[] = {
-        {"$v = d f + (s − ½) w r$", "blue", .step = 4},
-        {"$+ (t − ½) h u$", "blue", .step = 4},
-        {"= {vector}", "blue", .step = 4},
-        {"ray $p + t v$ from", "blue", .step = 5},
-        {"{origin}", "blue", .step = 5},
-    };
-    plot_say(plot, 0.82, 1, pixel, 4);
-    plot_say(plot, 1, 0, sum, 5);
+    plot_say(plot, 0.82, 1, {"pixel {pixel}", "ink", .step = 1},
+             {"center {center}", "ink", .step = 2},
+             {"$s = x/${screen_W} = {place_s}", "orange", .step = 3},
+             {"$t = 1 − y/${screen_H} = {place_t}", "green", .step = 3});
+    plot_say(plot, 1, 0, {"$v = d f + (s − ½) w r$", "blue", .step = 4},
+             {"$+ (t − ½) h u$", "blue", .step = 4}, {"= {vector}", "blue", .step = 4},
+             {"ray $p + t v$ from", "blue", .step = 5}, {"{origin}", "blue", .step = 5});
     yours(plot, center, pair_shown_to(place.s, place.t, digits), vector, ray.origin);
     pixel_handle(plot, aim, vector);
     camera_handles(plot, c);

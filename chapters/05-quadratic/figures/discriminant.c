@@ -81,13 +81,12 @@ static void roots_of_kind(Plot *plot, const char *name, const Panels *panels, Ki
             vec3 point = m.ray.origin + t * m.ray.direction;
             if (fabs(point[0] - panels->situations[i].middle * radius) > panels->half * radius)
                 continue;
-            plot_row(plot, 4, (const double[]){i + 1, point[0], point[1], t});
+            plot_row(plot, i + 1, point[0], point[1], t);
             any = true;
         }
     }
     if (!any)
-        plot_row(plot, 4, (const double[]){1, NAN, NAN, NAN});
-    plot_block_end(plot);
+        plot_row(plot, 1, NAN, NAN, NAN);
 }
 
 static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead)
@@ -104,13 +103,12 @@ static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead
             bool shown = f <= panels->above * radius * radius && f >= -1.2 * radius * radius;
             // Both curves contain the place next to t = 0, so that there is no gap.
             if (shown && (ahead ? t >= 0 : t < joined_at))
-                plot_row(plot, 3, (const double[]){i + 1, x, f});
+                plot_row(plot, i + 1, x, f);
         }
         // For a curve that is completely on the other side, or outside the picture.
-        plot_row(plot, 3, (const double[]){i + 1, NAN, NAN});
+        plot_row(plot, i + 1, NAN, NAN);
         plot_gap(plot);
     }
-    plot_block_end(plot);
 }
 
 static void data(Plot *plot, const Panels *panels)
@@ -122,18 +120,15 @@ static void data(Plot *plot, const Panels *panels)
     plot_block(plot, "rays", "panel x y of p, x y of v, middle of the panel");
     for (int i = 0; i < panels->count; i++) {
         Ray ray = situation(panels, i).ray;
-        plot_row(plot, 6,
-                 (const double[]){i + 1, ray.origin[0], ray.origin[1], ray.direction[0],
-                                  ray.direction[1], panels->situations[i].middle * radius});
+        plot_row(plot, i + 1, ray.origin[0], ray.origin[1], ray.direction[0], ray.direction[1],
+                 panels->situations[i].middle * radius);
     }
-    plot_block_end(plot);
     int places = plot_is_dragged(plot) ? 40 : 120;
     plot_block(plot, "circle", "x y");
     for (int i = 0; i <= places; i++) {
         double angle = 2 * PI * i / places;
-        plot_row(plot, 2, (const double[]){radius * cos(angle), radius * sin(angle)});
+        plot_row(plot, radius * cos(angle), radius * sin(angle));
     }
-    plot_block_end(plot);
     curve(plot, "ahead", panels, true);
     curve(plot, "behind", panels, false);
     roots_of_kind(plot, "used", panels, USED);
@@ -204,7 +199,7 @@ void discriminant_moments(Plot *plot, void *given)
     int count = 0;
     plot_block(plot, "stays", "the first and the last step of each of the five");
     for (int i = 0; i < SITUATIONS; i++) {
-        plot_row(plot, 2, (const double[]){count + 1, count + STAY});
+        plot_row(plot, count + 1, count + STAY);
         for (int k = 0; k < STAY; k++)
             moments[count++] = (Situation){five[i].x, five[i].y, 0};
         for (int k = 1; i + 1 < SITUATIONS && k <= MOVE; k++) {
@@ -213,7 +208,6 @@ void discriminant_moments(Plot *plot, void *given)
                                            five[i].y + part * (five[i + 1].y - five[i].y), 0};
         }
     }
-    plot_block_end(plot);
     plot_number(plot, "moments", MOMENTS);
     data(plot, &(Panels){moments, MOMENTS, rounded(m->sphere.radius), 2.4, 2.1, 160});
 }

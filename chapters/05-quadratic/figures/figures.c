@@ -162,7 +162,6 @@ static void circle(Plot *plot, const Section *s)
         plot_row_point(plot, s->sphere.center +
                                  s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
     }
-    plot_block_end(plot);
     plot_circle(plot, s->sphere.center, s->sphere.radius);
 }
 
@@ -171,7 +170,6 @@ static void stretch(Plot *plot, const Section *s, const char *name, double from,
     plot_block(plot, name, "x y z of the two ends");
     plot_row_point(plot, section_point(s, from));
     plot_row_point(plot, section_point(s, to));
-    plot_block_end(plot);
 }
 
 // The marks of t are multiples of the stride: so many, and each of them.
@@ -194,7 +192,7 @@ static double tick(const Section *s, int i)
 static void one_tick(Plot *plot, const Section *s, double t)
 {
     vec3 p = section_point(s, t) + s->axis;
-    plot_row_dot(plot, 4, (const double[]){p[0], p[1], p[2], t});
+    plot_row_dot(plot, p, t);
 }
 
 static void ticks(Plot *plot, const Section *s)
@@ -205,7 +203,6 @@ static void ticks(Plot *plot, const Section *s)
     // So far away that neighbouring whole numbers are the same double: the block must not be empty.
     if (ticks_shown(s) <= 0)
         one_tick(plot, s, s->t);
-    plot_block_end(plot);
 }
 
 static void see(Plot *plot, const Section *s)
@@ -257,15 +254,12 @@ static void section_data(Plot *plot, const Section *s)
 static void section_names(Plot *plot, const Section *s, int sphere_step)
 {
     bool ends = s->near || s->t > 0; // does the line go on beyond the right edge?
-    const Label labels[] = {
-        {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
-        {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .block = "v", .part = ANYWHERE},
-        {"$C$", "ink", .step = sphere_step, .block = "center"},
-        {s->small_ball ? "$r$ = {r}" : "$r$", "ink", .step = sphere_step,
-         .block = s->small_ball ? "center" : "radius", .part = s->small_ball ? 0 : ANYWHERE},
-        {"$p + t v$", "blue", .block = "tail", .row = 1, .part = ANYWHERE},
-    };
-    plot_names(plot, labels, sizeof labels / sizeof *labels - !ends);
+    plot_names(plot, {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
+               {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .block = "v", .part = ANYWHERE},
+               {"$C$", "ink", .step = sphere_step, .block = "center"},
+               {s->small_ball ? "$r$ = {r}" : "$r$", "ink", .step = sphere_step,
+                .block = s->small_ball ? "center" : "radius", .part = s->small_ball ? 0 : ANYWHERE},
+               {ends ? "$p + t v$" : "", "blue", .block = "tail", .row = 1, .part = ANYWHERE});
 }
 
 // Writes $ticks, the marks of t, and their numbers from a step on, except those that are too near
@@ -344,24 +338,18 @@ static void ray_sphere_labels(Plot *plot, const Section *s)
         plot_name(plot, (Label){"$t$ = {t_nearest}", "grey", .step = 4, .place = s->nearest});
     }
     section_names(plot, s, 2);
-    const Label roots[] = {{touches ? "$t_0 = t_1$ = {t0}" : "$t_0$ = {t0}", root_color(plot, "t0"),
-                            .step = 4, .block = "hit0"},
-                           {"$t_1$ = {t1}", root_color(plot, "t1"), .step = 4, .block = "hit1"}};
-    plot_names(plot, roots, touches ? 1 : 2);
+    plot_names(plot,
+               {touches ? "$t_0 = t_1$ = {t0}" : "$t_0$ = {t0}", root_color(plot, "t0"), .step = 4,
+                .block = "hit0"},
+               {touches ? "" : "$t_1$ = {t1}", root_color(plot, "t1"), .step = 4, .block = "hit1"});
     section_marks(plot, s, 1, 3, taken);
-    const Label words[] = {
-        {"$|p + t v|² = r²$", "ink", .step = 3},
-        {"$a = v·v =$ {a!}", "ink", .step = 3},
-        {"$b = 2 p·v =$ {b!}", "ink", .step = 3},
-        {"$c = p·p − r² =$ {c!}", "ink", .step = 3},
-        {"$b² − 4 a c =$ {D!}", "ink", .step = 3},
-        {plot_shown(plot, "hit") > 0 ? "$t$ = {verdict!}" : "{verdict!}", "blue", .step = 5},
-    };
-    const Label moved[] = {{"Here $p$ is $p − C$ =", "grey", .step = 3},
-                           {"{object_p!}", "grey", .step = 3}};
-    plot_say(plot, 0, 1, words, 6);
+    plot_say(plot, 0, 1, {"$|p + t v|² = r²$", "ink", .step = 3},
+             {"$a = v·v =$ {a!}", "ink", .step = 3}, {"$b = 2 p·v =$ {b!}", "ink", .step = 3},
+             {"$c = p·p − r² =$ {c!}", "ink", .step = 3}, {"$b² − 4 a c =$ {D!}", "ink", .step = 3},
+             {plot_shown(plot, "hit") > 0 ? "$t$ = {verdict!}" : "{verdict!}", "blue", .step = 5});
     if (plot_shown(plot, "moved") != 0)
-        plot_say(plot, 0, 0, moved, 2);
+        plot_say(plot, 0, 0, {"Here $p$ is $p − C$ =", "grey", .step = 3},
+                 {"{object_p!}", "grey", .step = 3});
 }
 
 static void ray_sphere(Plot *plot, void *given)
@@ -429,12 +417,11 @@ static void parabola(Plot *plot, const Graph *g, Quadratic q)
         if (was_inside && !inside)
             plot_gap(plot);
         if (inside)
-            plot_row(plot, 2, (const double[]){x, y});
+            plot_row(plot, x, y);
         any = any || inside;
     }
     if (!any)
-        plot_row(plot, 2, (const double[]){NAN, NAN});
-    plot_block_end(plot);
+        plot_row(plot, NAN, NAN);
 }
 
 // The same for labels, by the numbers that are shown, and what else is drawn above the section.
@@ -509,12 +496,11 @@ static void parabola_labels(Plot *plot, const Graph *g)
     if (above)
         plot_line(plot, graph_point(g, 0, c), graph_point(g, 0, c), 0, 0);
     section_names(plot, s, 1);
-    const Label labels[] = {
-        {"$t$", "grey", .step = 2, .block = "axis", .part = 1},
-        {touches ? "$t_0 = t_1$ = {t0}" : "$t_0$ = {t0}", root_color(plot, "t0"), .step = 3,
-         .place = graph_point(g, taken[0], 0)},
-        {"$t_1$ = {t1}", root_color(plot, "t1"), .step = 3, .place = graph_point(g, taken[1], 0)}};
-    plot_names(plot, labels, touches ? 2 : 3);
+    plot_names(plot, {"$t$", "grey", .step = 2, .block = "axis", .part = 1},
+               {touches ? "$t_0 = t_1$ = {t0}" : "$t_0$ = {t0}", root_color(plot, "t0"), .step = 3,
+                .place = graph_point(g, taken[0], 0)},
+               {touches ? "" : "$t_1$ = {t1}", root_color(plot, "t1"), .step = 3,
+                .place = graph_point(g, taken[1], 0)});
     section_marks(plot, s, 2, 3, taken);
     Text right = polynomial_label(plot, "$=$ ", false),
          yours = polynomial_label(plot, "yours = ", true);
@@ -529,7 +515,7 @@ static void parabola_labels(Plot *plot, const Graph *g)
         words[count++] = (Label){"no root: $f$ is never below {f_nearest}", "grey", .step = 3};
     if (strcmp(right.s + strlen("$=$ "), yours.s + strlen("yours = ")) != 0)
         words[count++] = (Label){yours.s, "ink", .step = 2};
-    plot_say(plot, 0, 1, words, count);
+    plot_say_of(plot, 0, 1, count, words);
 }
 
 static void parabola_data(Plot *plot, void *given)
@@ -590,7 +576,6 @@ static void right_angle(Plot *plot, const Section *s, Sides sides)
     plot_row_point(plot, s->nearest + back);
     plot_row_point(plot, s->nearest + back + in);
     plot_row_point(plot, s->nearest + in);
-    plot_block_end(plot);
 }
 
 static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
@@ -617,9 +602,8 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
 {
     double small = 0.22 * s->size;
     bool touches = plot_shown(plot, "t0") == plot_shown(plot, "t1"), ends = s->near || s->t > 0;
-    const Label labels[] = {
-        {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
-        {"$C$", "ink", .block = "center"},
+    plot_names(
+        plot, {s->near ? "$p$" : "to $p$", "blue", .block = "p"}, {"$C$", "ink", .block = "center"},
         {ends ? "$p + t v$" : "", "blue", .block = "tail", .row = 1, .part = ANYWHERE},
         {s->near && vec3_length(s->sphere.center - s->ray.origin) > small ? "$L$" : "", "ink",
          .step = 2, .block = "l", .part = ANYWHERE},
@@ -631,16 +615,13 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
          .part = ANYWHERE},
         {"$r$", "ink", .step = 5, .block = "spoke", .part = ANYWHERE},
         {touches ? "$t_0 = t_1$" : "$t_0$", root_color(plot, "t0"), .step = 5, .block = "hit0"},
-        {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 5, .block = "hit1"}};
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
-    const Label words[] = {
-        {"$L = C − p$ = {l}", "ink", .step = 2},
-        {"$s = L·v / |v|$ = {s}", "green", .step = 3},
-        {"$m = √(L·L − s²)$ = {m}", "pink", .step = 4},
-        {misses ? "$m > r$ = {r}: no root" : "$k = √(r² − m²)$ = {k}", "orange", .step = 5},
-        {"$t_0 = (s − k) / |v|$ = {t0!}", "ink", .step = 5},
-        {"$t_1 = (s + k) / |v|$ = {t1!}", "ink", .step = 5}};
-    plot_say(plot, 0, 1, words, misses ? 4 : 6);
+        {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 5, .block = "hit1"});
+    plot_say(plot, 0, 1, {"$L = C − p$ = {l}", "ink", .step = 2},
+             {"$s = L·v / |v|$ = {s}", "green", .step = 3},
+             {"$m = √(L·L − s²)$ = {m}", "pink", .step = 4},
+             {misses ? "$m > r$ = {r}: no root" : "$k = √(r² − m²)$ = {k}", "orange", .step = 5},
+             {misses ? "" : "$t_0 = (s − k) / |v|$ = {t0!}", "ink", .step = 5},
+             {misses ? "" : "$t_1 = (s + k) / |v|$ = {t1!}", "ink", .step = 5});
 }
 
 static void geometric_roots(Plot *plot, void *given)
@@ -701,7 +682,6 @@ static void axes(Plot *plot, const char *name, const Section *s, double low, dou
         plot_name(plot, (Label){names[i], "grey", .step = step, .block = name, .row = count++,
                                 .part = 1});
     }
-    plot_block_end(plot);
 }
 
 // In the world: the axes, C from the origin, and beside it the way back. If the origin is far away:
@@ -721,18 +701,14 @@ static void world_panel(Plot *plot, const Section *s)
            flat = hypot(across, upward);
     vec3 aside = flat > 0 ? (upward * s->right - across * s->up) / flat : s->right;
     plot_vector(plot, "minus_c", c + 0.12 * s->size * aside, -shown);
-    const Label labels[] = {
-        {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
-        {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .block = "v", .part = ANYWHERE},
-        {"$C$", "ink", .block = "c", .part = ANYWHERE},
-        {"$t_0$", root_color(plot, "t0"), .step = 4, .block = "world_hit0"},
-        {"$t_1$", root_color(plot, "t1"), .step = 4, .block = "world_hit1"},
-        {away > 0 ? "$−C$" : "", "blue", .step = 2, .block = "minus_c", .part = ANYWHERE},
-        {"from (0, 0, 0)", "grey", .block = "c"}};
     bool touches = plot_shown(plot, "t0") == plot_shown(plot, "t1");
-    for (int i = 0; i < 7 - near; i++)
-        if (!(i == 4 && touches) && !(i == 5 && away == 0))
-            plot_name(plot, labels[i]);
+    plot_names(plot, {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
+               {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .block = "v", .part = ANYWHERE},
+               {"$C$", "ink", .block = "c", .part = ANYWHERE},
+               {"$t_0$", root_color(plot, "t0"), .step = 4, .block = "world_hit0"},
+               {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 4, .block = "world_hit1"},
+               {away > 0 ? "$−C$" : "", "blue", .step = 2, .block = "minus_c", .part = ANYWHERE},
+               {near ? "" : "from (0, 0, 0)", "grey", .block = "c"});
 }
 
 // All of it moved by -C.
@@ -752,14 +728,14 @@ static void object_panel(Plot *plot, const Section *s, Ray ray)
     plot_vector(plot, "object_v", ray.origin + s->first * ray.direction, s->stride * ray.direction);
     if (!s->near && s->t < 0)
         begin = s->high;
-    const Label labels[] = {{s->near ? "$p − C$" : "to $p − C$", "blue", .step = 2,
-                             .place = section_point(s, begin) - c},
-                            {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .step = 2,
-                             .block = "object_v", .part = ANYWHERE},
-                            {"$t_0$", root_color(plot, "t0"), .step = 4, .block = "object_hit0"},
-                            {"$t_1$", root_color(plot, "t1"), .step = 4, .block = "object_hit1"}};
     bool touches = plot_shown(plot, "t0") == plot_shown(plot, "t1");
-    plot_names(plot, labels, touches ? 3 : 4);
+    plot_names(plot,
+               {s->near ? "$p − C$" : "to $p − C$", "blue", .step = 2,
+                .place = section_point(s, begin) - c},
+               {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .step = 2, .block = "object_v",
+                .part = ANYWHERE},
+               {"$t_0$", root_color(plot, "t0"), .step = 4, .block = "object_hit0"},
+               {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 4, .block = "object_hit1"});
 }
 
 // Are the words of the world's number and the object's the same?
@@ -865,12 +841,12 @@ static void world_object_words(Plot *plot)
     Label words[LINES];
     for (int i = 0; i < lines.count; i++)
         words[i] = (Label){lines.lines[i].s, "ink", .step = lines.steps[i]};
-    plot_pin(plot, 0.5, 0.03 + 0.035 * lines.count, words, lines.count);
+    plot_pin_of(plot, 0.5, 0.03 + 0.035 * lines.count, lines.count, words);
     const Label headings[] = {{"world: $|(p + t v) − C|² = r²$", "ink", .step = 1},
                               {"object: $|p + t v|² = r²$", "ink", .step = 2}};
     double bottom = 0.04 + 0.061 * lines.count;
     for (int i = 0; i < 2; i++) {
-        plot_pin(plot, 0.26 + 0.5 * i, 0.95, &headings[i], 1);
+        plot_pin_of(plot, 0.26 + 0.5 * i, 0.95, 1, &headings[i]);
         Room room = {i == 0 ? 0.02 : 0.52, i == 0 ? 0.48 : 0.98, bottom, 0.79};
         plot_panel(plot, i + 1);
         plot_room(plot, room, room);

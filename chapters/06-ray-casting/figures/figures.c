@@ -67,9 +67,6 @@ static void say_sphere(const Shown *shown, int k, int sphere, char *text, size_t
 // The story in three blocks of words below the picture: the ray, its hits, the color.
 static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
 {
-    const Label ray[] = {{"pixel {pixel} of {size}", "ink", .step = 1},
-                         {"$s$ = {s}, $t$ = {t}", "ink", .step = 1},
-                         {"$v$ = {vector_v}", "blue", .step = 2}};
     Label hits[MOST_DRAWN];
     char texts[MOST_DRAWN][240];
     for (int i = 0; i < outcome->told_count; i++) {
@@ -80,11 +77,10 @@ static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
     if (shown->hit_count > 0)
         snprintf(nearest, sizeof nearest, "smallest $t$: {nearest}, %s",
                  sphere_name(shown->hits[0].sphere).s);
-    const Label color[] = {{nearest, "blue", .step = 5}, {"color {bytes}", "ink", .step = 6}};
-    plot_say(plot, 0, 0, ray, 3);
-    plot_say(plot, 1, 0, color, 2);
-    if (outcome->told_count > 0)
-        plot_say(plot, 0.52, 0, hits, outcome->told_count);
+    plot_say(plot, 0, 0, {"pixel {pixel} of {size}", "ink", .step = 1},
+             {"$s$ = {s}, $t$ = {t}", "ink", .step = 1}, {"$v$ = {vector_v}", "blue", .step = 2});
+    plot_say(plot, 1, 0, {nearest, "blue", .step = 5}, {"color {bytes}", "ink", .step = 6});
+    plot_say_of(plot, 0.52, 0, outcome->told_count, hits);
 }
 
 void explain_figure_data(Plot *plot, void *given)
@@ -162,18 +158,17 @@ static void counted(Plot *plot, int step, int cells, const char *what)
 {
     char text[200];
     snprintf(text, sizeof text, "%d pixel center%s%s", cells, cells == 1 ? "" : "s", what);
-    plot_say(plot, 0.5, 0, &(Label){text, "ink", .step = step}, 1);
+    plot_say(plot, 0.5, 0, {text, "ink", .step = step});
 }
 
 // What the ray meets, at the places where it does.
 static void hit_names(Plot *plot, const Shown *shown)
 {
     if (shown->hit_count == 0)
-        plot_say(plot, 0.5, 0,
-                 &(Label){plot_says_yours(plot, "all_hits") ? "your ray meets nothing"
-                                                            : "the ray meets nothing",
-                          "ink", .step = 3},
-                 1);
+        plot_say(
+            plot, 0.5, 0,
+            {plot_says_yours(plot, "all_hits") ? "your ray meets nothing" : "the ray meets nothing",
+             "ink", .step = 3});
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
         char text[400];
         snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_shown(shown->hits[i].t).s,

@@ -186,25 +186,21 @@ static int circle_data(Plot *plot, const Shown *shown, const Circle *circles, in
         bool met = intervals[i].count > 0;
         lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i], name) : 0;
         most = lanes[i] > most ? lanes[i] : most;
-        plot_row(plot, 11,
-                 (const double[]){c.sphere, c.t, c.aside, c.radius,
-                                  rgb_number(scene_surface(scene, c.sphere)->color),
-                                  fate(shown, c, intervals[i]), met ? intervals[i].t[0] : NAN,
-                                  met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN, lanes[i],
-                                  c.part});
+        plot_row(plot, c.sphere, c.t, c.aside, c.radius,
+                 rgb_number(scene_surface(scene, c.sphere)->color), fate(shown, c, intervals[i]),
+                 met ? intervals[i].t[0] : NAN, met ? intervals[i].t[1] : NAN,
+                 hit < NO_HIT ? hit : NAN, lanes[i], c.part);
     }
     // If all spheres are missed, each row has a NaN; such a block is not drawn (plot.c).
     double nowhere[11];
     for (int i = 0; i < 11; i++)
         nowhere[i] = 1e9;
-    plot_row(plot, 11, nowhere);
-    plot_block_end(plot);
+    plot_row_of(plot, 11, nowhere);
     plot_block(plot, "roots", "t");
     for (int i = 0; i < count; i++)
         for (int k = 0; k < intervals[i].count; k++)
-            plot_row(plot, 1, &intervals[i].t[k]);
-    plot_row(plot, 1, (const double[]){NAN});
-    plot_block_end(plot);
+            plot_row(plot, intervals[i].t[k]);
+    plot_row(plot, NAN);
     return most + 1;
 }
 
@@ -262,13 +258,11 @@ static void part_data(Plot *plot, const Shown *shown, const Circle *circles, int
         int corners = c.part ? window_part(w, (double[]){c.t, c.aside}, c.radius, places) : 0;
         double rgb = rgb_number(scene_surface(shown->shot.scene, c.sphere)->color);
         for (int k = 0; k < corners; k++)
-            plot_row(plot, 4,
-                     (const double[]){places[k].at[0], places[k].at[1], rgb, places[k].on_circle});
+            plot_row(plot, places[k].at[0], places[k].at[1], rgb, places[k].on_circle);
         if (c.part)
             plot_gap(plot);
     }
-    plot_row(plot, 4, (const double[]){NAN, NAN, 0, 0});
-    plot_block_end(plot);
+    plot_row(plot, NAN, NAN, 0, 0);
 }
 
 static int larger_first(const void *a, const void *b)
@@ -322,7 +316,7 @@ static void left_out(Plot *plot, int count, int all)
 {
     char text[100];
     snprintf(text, sizeof text, "Drawn: %d of %d spheres", count, all);
-    plot_say(plot, 0, 1, &(Label){.text = text, .color = "grey"}, 1);
+    plot_say(plot, 0, 1, {.text = text, .color = "grey"});
 }
 
 // The first sphere can be dragged along the ray, and away from it.
@@ -360,11 +354,9 @@ void nearest_figure_data(Plot *plot, void *given)
     plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
     plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
     plot_block(plot, "closest", "t");
-    plot_row(plot, 1, (const double[]){any ? shown->hits[0].t : NAN});
-    plot_block_end(plot);
+    plot_row(plot, any ? shown->hits[0].t : NAN);
     plot_block(plot, "along", "t of the eye");
-    plot_row(plot, 1, (const double[]){0});
-    plot_block_end(plot);
+    plot_row(plot, 0);
     plot_include(plot, "common/figure/spheres.gp");
     look(plot, shown, circles, count, window, lanes);
     for (int i = 0; i < count; i++)

@@ -216,15 +216,13 @@ static void spheres(Plot *plot, const Shown *shown)
     for (int i = 0; i < shown->sphere_count; i++) {
         int number = shown->spheres[i];
         const Sphere *s = &scene->spheres[number];
-        plot_row(plot, 6,
-                 (const double[]){number, s->center[0], s->center[1], s->center[2], s->radius,
-                                  rgb_number(scene_surface(scene, number)->color)});
+        plot_row(plot, number, s->center[0], s->center[1], s->center[2], s->radius,
+                 rgb_number(scene_surface(scene, number)->color));
         plot_fit(plot, s->center, s->radius);
         plot_ball(plot, s->center, s->radius);
     }
     if (shown->sphere_count == 0) // gnuplot complains about an empty block
-        plot_row(plot, 6, (const double[]){0, 0, 0, 0, 0, 0});
-    plot_block_end(plot);
+        plot_row(plot, 0, 0, 0, 0, 0, 0);
 }
 
 // The rectangle of a pixel on the image plane.
@@ -235,7 +233,7 @@ static void rectangle(Plot *plot, Camera camera, Resolution size, Pixel pixel, d
         ScreenPoint corner = {pixel.column + corners[i][0], pixel.row + corners[i][1]};
         Normalized place = screen_to_normalized(corner, size);
         vec3 p = camera.origin + image_plane_vector(camera, place.s, place.t);
-        plot_row(plot, 6, (const double[]){p[0], p[1], p[2], rgb, pixel.column, pixel.row});
+        plot_row_at(plot, p, rgb, pixel.column, pixel.row);
     }
     plot_gap(plot);
 }
@@ -254,8 +252,7 @@ void shown_cells_end(Plot *plot, const Shown *shown, int cells)
 {
     vec3 eye = shown->shot.camera.origin;
     if (cells == 0) // a place without an area
-        plot_row(plot, 6, (const double[]){eye[0], eye[1], eye[2], 0, -1, -1});
-    plot_block_end(plot);
+        plot_row_at(plot, eye, 0, -1, -1);
     plot_number(plot, "cells", cells);
 }
 
@@ -266,13 +263,12 @@ void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid)
     for (int i = 0; i <= places; i++) {
         double t = end * i / places;
         vec3 p = ray.origin + t * ray.direction;
-        plot_row(plot, 5, (const double[]){p[0], p[1], p[2], t, t <= solid});
+        plot_row_at(plot, p, t, t <= solid);
         if (t < solid && end * (i + 1) / places > solid) { // bold exactly up to there
             p = ray.origin + solid * ray.direction;
-            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], solid, 1});
+            plot_row_at(plot, p, solid, 1);
         }
     }
-    plot_block_end(plot);
     plot_line(plot, ray.origin, ray.origin + end * ray.direction, 0, 0);
     plot_fit(plot, ray.origin + end * ray.direction, 0);
 }
@@ -310,13 +306,12 @@ static void hits(Plot *plot, const Shown *shown)
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
         Hit hit = shown->hits[i];
         vec3 p = shown->ray.origin + hit.t * shown->ray.direction;
-        plot_row_dot(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
+        plot_row_dot(plot, p, hit.t, hit.sphere);
     }
     // The first hit and the others are drawn separately, and gnuplot complains about an empty
     // block.
-    plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
-    plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
-    plot_block_end(plot);
+    plot_row(plot, NAN, NAN, NAN, NAN, -1);
+    plot_row(plot, NAN, NAN, NAN, NAN, -1);
     plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
     plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
     plot_number(
@@ -360,18 +355,16 @@ void shown_patches(Plot *plot, const Shown *shown)
         for (int k = 0; k <= PATCH_PLACES; k++) {
             vec3 p = on_sphere(s, out, side, fmin(1, away), 2 * PI * k / PATCH_PLACES);
             double rgb = rgb_number(scene_surface(shown->shot.scene, number)->color);
-            plot_row(plot, 4, (const double[]){p[0], p[1], p[2], rgb});
+            plot_row_at(plot, p, rgb);
             plot_fit(plot, p, 0);
         }
         plot_gap(plot);
         names[count] = on_sphere(s, out, side, fmin(1, 0.6 * away), 0);
         numbers[count++] = number;
     }
-    plot_block_end(plot);
     plot_block(plot, "patch_names", "x y z sphere");
     for (int i = 0; i < count; i++)
-        plot_row(plot, 4, (const double[]){names[i][0], names[i][1], names[i][2], numbers[i]});
-    plot_block_end(plot);
+        plot_row_at(plot, names[i], numbers[i]);
     plot_number(plot, "patched", count);
 }
 
@@ -389,7 +382,6 @@ static void the_pixel(Plot *plot, const Shown *shown)
                 shot.size.width != shown->grid.width || shot.size.height != shown->grid.height);
     plot_block(plot, "pixel", "x y z of the corners, rgb, column row");
     rectangle(plot, shown->camera, shot.size, shot.pixel, 0);
-    plot_block_end(plot);
     plot_point(plot, "crossing",
                shown->ray.origin + plane_t(shown->camera, shown->ray) * shown->ray.direction);
 }
@@ -404,7 +396,6 @@ static void centers(Plot *plot, const Shown *shown)
         Ray ray = ray_to_plane(pixel_ray(shown->shot.camera, grid, cell), shown->camera);
         plot_row_point(plot, ray.origin + ray.direction);
     }
-    plot_block_end(plot);
 }
 
 // What the picture leaves out, or draws elsewhere.
@@ -426,7 +417,7 @@ static void note(Plot *plot, const Shown *shown, double plane_at)
         snprintf(words, sizeof words, "Drawn: %s", text + 2);
     plot_text(plot, "drawn_text", words);
     if (words[0] != '\0')
-        plot_say(plot, 0, 1, &(Label){.text = "{drawn}", .color = "grey"}, 1);
+        plot_say(plot, 0, 1, {.text = "{drawn}", .color = "grey"});
 }
 
 void shown_look(Plot *plot, const Shown *shown)
@@ -528,7 +519,6 @@ void outline_on_plane(Plot *plot, const char *name, Camera c, Sphere sphere)
     plot_block(plot, name, "x y z of the outline on the image plane");
     for (int i = 0; i <= OUTLINE_PLACES; i++)
         plot_row_point(plot, on_plane(c, line_of_sight(c, sphere, i)));
-    plot_block_end(plot);
 }
 
 // Half way along a line of sight to the plane. It must be a separate function: inside the loop that
@@ -560,14 +550,12 @@ void lines_to_eye(Plot *plot, const char *lines_name, const char *heads, Camera 
     for (int i = 0; i < lines; i++) {
         for (int k = 0; k <= places; k++) {
             vec3 p = c.origin + (double)k / places * v[i];
-            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / places, 1});
+            plot_row_at(plot, p, part[i] * k / places, 1);
         }
         plot_gap(plot);
         plot_line(plot, c.origin, c.origin + v[i], 0, 0);
     }
-    plot_block_end(plot);
     plot_block(plot, heads, "x y z of the start, x y z of the vector");
     for (int i = 0; i < lines; i++)
         arrow_head(plot, c, v[i]);
-    plot_block_end(plot);
 }

@@ -134,8 +134,7 @@ static void spot_data(Plot *plot, const char *name, const char *has, const View 
     double x = (i % view->screen.width + 0.5) / view->screen.width;
     double y = 1 - (i / view->screen.width + 0.5) / view->screen.height;
     plot_block(plot, name, "x y on the picture, in pixels from the lower left");
-    plot_row(plot, 2, (const double[]){x * size.width, y * size.height});
-    plot_block_end(plot);
+    plot_row(plot, x * size.width, y * size.height);
     plot_number(plot, has, i >= 0);
 }
 

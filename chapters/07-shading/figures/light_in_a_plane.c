@@ -57,7 +57,6 @@ static void part_of_circle(Plot *plot, const char *name, vec3 center, double rad
     plot_block(plot, name, "x y z along the circle");
     for (int i = 0; i <= pieces; i++)
         plot_row_point(plot, center + radius * toward(from + by * i / pieces));
-    plot_block_end(plot);
 }
 
 // The same with a label at its middle.
@@ -129,10 +128,9 @@ void surface_vectors(Plot *plot, void *given)
     arc(plot, "alpha", point, 0.5, angle_of(m), turn(angle_of(m), eye),
         (Label){"α", "blue", .step = 3});
     arc(plot, "beta", point, 0.68, normal, turn(normal, h), (Label){"β", "pink", .step = 4});
-    static const Label words[] = {{"diffuse: cos θ = {diffuse!}", "orange", .step = 2},
-                                  {"Phong: cos α = {phong!}", "blue", .step = 3},
-                                  {"halfway: cos β = {halfway!}", "pink", .step = 4}};
-    plot_say(plot, 0, 1, words, sizeof words / sizeof *words);
+    plot_say(plot, 0, 1, {"diffuse: cos θ = {diffuse!}", "orange", .step = 2},
+             {"Phong: cos α = {phong!}", "blue", .step = 3},
+             {"halfway: cos β = {halfway!}", "pink", .step = 4});
     handle(plot, "the light", "light", plane.light);
     handle(plot, "the eye", "eye", plane.eye);
 }
@@ -162,7 +160,6 @@ static void beam_panel(Plot *plot, vec3 n, vec3 l)
     plot_block(plot, "beam_edges", "x y z of an edge's end, x y z to the surface");
     plot_row_vector(plot, left + length * l, -length * l);
     plot_row_vector(plot, right + length * l, -length * l);
-    plot_block_end(plot);
     if (arrives) {
         plot_fit(plot, left + length * l, 0);
         plot_fit(plot, right + length * l, 0);
@@ -173,14 +170,13 @@ static void beam_panel(Plot *plot, vec3 n, vec3 l)
     plot_vector(plot, "middle", vec3_of(0, 0, 0), arrives ? length * l : vec3_of(NAN, NAN, NAN));
     arc(plot, "theta", vec3_of(0, 0, 0), 0.75, angle_of(n), turn(angle_of(n), angle_of(l)),
         (Label){.text = arrives ? "θ" : "", .color = "orange"});
-    const Label labels[] = {
-        {"$n$", "green", .block = "normal", .part = 1},
-        {"{beam}", "ink", .block = "across", .part = ANYWHERE},
-        {"{spread!}", "orange", .step = 2, .block = "on_surface", .part = ANYWHERE}};
-    plot_names(plot, labels, arrives ? 3 : 1);
-    const Label words = {arrives ? "{beam} / {spread} = cos θ = {cosine!}" : "no light arrives",
-                         "ink", .step = 2};
-    plot_pin(plot, 0.25, 0.07, &words, 1);
+    plot_names(
+        plot, {"$n$", "green", .block = "normal", .part = 1},
+        {arrives ? "{beam}" : "", "ink", .block = "across", .part = ANYWHERE},
+        {arrives ? "{spread!}" : "", "orange", .step = 2, .block = "on_surface", .part = ANYWHERE});
+    plot_pin(
+        plot, 0.25, 0.07,
+        {arrives ? "{beam} / {spread} = cos θ = {cosine!}" : "no light arrives", "ink", .step = 2});
 }
 
 // What the eye sees of the highlight from each side, as far from the point as it is bright.
@@ -196,7 +192,6 @@ static void lobe(Plot *plot, const char *name, vec3 n, vec3 l, double shine, con
         plot_row_point(plot, phong_term(1, shine, white, n, l, e)[0] * e);
         row = vec3_dot(e, m) > vec3_dot(toward(PI * row / SIDES), m) ? i : row;
     }
-    plot_block_end(plot);
     plot_name(plot, (Label){text, color, .step = 3, .block = name, .row = row});
 }
 
@@ -211,8 +206,7 @@ static void lobe_panel(Plot *plot, vec3 n, vec3 l)
     arrow(plot, "l2", vec3_of(0, 0, 0), l, (Label){"$l$", "orange", .step = 3});
     lobe(plot, "wide_lobe", n, l, 8, "shine 8", "blue");
     lobe(plot, "narrow_lobe", n, l, 80, "shine 80", "pink");
-    static const Label words = {"how bright, seen from there", "grey", .step = 3};
-    plot_pin(plot, 0.75, 0.07, &words, 1);
+    plot_pin(plot, 0.75, 0.07, {"how bright, seen from there", "grey", .step = 3});
     plot_panel(plot, 1);
 }
 
@@ -477,15 +471,11 @@ void shadow_and_mirror(Plot *plot, void *given)
     plot_vector(plot, "to_light", start, back.direction);
     plot_vector(plot, "lit", start, fmin(first_t(&scene, back), 1) * back.direction);
     plot_vector(plot, "mirrored", start, to_hit);
-    const Label labels[] = {
-        {"eye", "grey", .block = "eye"},
-        {"light", "grey", .block = "lamp"},
-        {"$n$", "green", .step = 1, .block = "n", .part = 1},
-        {"shadow ray", "orange", .step = 2, .block = "to_light", .part = ANYWHERE},
-        {"mirrored ray", "blue", .step = 3, .block = "mirrored", .part = ANYWHERE}};
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
-    static const Label words[] = {{"visibility: {visibility!}", "orange", .step = 2}};
-    plot_say(plot, 0, 0, words, 1);
+    plot_names(plot, {"eye", "grey", .block = "eye"}, {"light", "grey", .block = "lamp"},
+               {"$n$", "green", .step = 1, .block = "n", .part = 1},
+               {"shadow ray", "orange", .step = 2, .block = "to_light", .part = ANYWHERE},
+               {"mirrored ray", "blue", .step = 3, .block = "mirrored", .part = ANYWHERE});
+    plot_say(plot, 0, 0, {"visibility: {visibility!}", "orange", .step = 2});
     handle(plot, "the light", "light", plane.light);
     handle(plot, "the eye", "eye", plane.eye);
 }

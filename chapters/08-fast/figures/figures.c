@@ -60,7 +60,6 @@ static void circle(Plot *plot, const View *view)
         plot_row_point(plot,
                        center_of(view) + view->sphere.radius * vec3_of(cos(angle), sin(angle), 0));
     }
-    plot_block_end(plot);
     plot_fit(plot, center_of(view), view->sphere.radius);
 }
 
@@ -114,22 +113,19 @@ static void names(Plot *plot, const View *view, bool is_nothing)
 {
     vec3 center = center_of(view);
     double small = 0.05 * far_away(view);
-    const Label labels[] = {
-        {"eye", "grey", .block = "eye"},
-        {"image plane", "grey", .block = "plane", .part = ANYWHERE},
-        {"$C$", "ink", .block = "center"},
-        {fabs(center[0]) > small ? "$z$ = {z}" : "", "grey", .step = 2, .block = "ahead",
-         .part = ANYWHERE},
-        {fabs(center[1]) > small ? "$x$ = {x}" : "", "grey", .step = 2, .block = "aside",
-         .part = ANYWHERE},
-        {"$r$ = {r}", "ink", .step = 2, .block = "radius", .part = ANYWHERE},
-        {is_nothing ? "" : "left = {left}", "orange", .step = 4, .block = "left_mark"},
-        {is_nothing ? "" : "right = {right}", "green", .step = 4, .block = "right_mark"}};
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
-    const Label words[] = {
-        {is_nothing ? "no rectangle" : "columns {left!} to {right!} of {columns}", "ink",
-         .step = 4}};
-    plot_say(plot, 0, 0, words, 1);
+    plot_names(plot, {"eye", "grey", .block = "eye"},
+               {"image plane", "grey", .block = "plane", .part = ANYWHERE},
+               {"$C$", "ink", .block = "center"},
+               {fabs(center[0]) > small ? "$z$ = {z}" : "", "grey", .step = 2, .block = "ahead",
+                .part = ANYWHERE},
+               {fabs(center[1]) > small ? "$x$ = {x}" : "", "grey", .step = 2, .block = "aside",
+                .part = ANYWHERE},
+               {"$r$ = {r}", "ink", .step = 2, .block = "radius", .part = ANYWHERE},
+               {is_nothing ? "" : "left = {left}", "orange", .step = 4, .block = "left_mark"},
+               {is_nothing ? "" : "right = {right}", "green", .step = 4, .block = "right_mark"});
+    plot_say(plot, 0, 0,
+             {is_nothing ? "no rectangle" : "columns {left!} to {right!} of {columns}", "ink",
+              .step = 4});
 }
 
 static void tangents(Plot *plot, void *given)
