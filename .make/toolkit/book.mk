@@ -15,7 +15,7 @@ BOOK := build/book$(FROM:%=-%)
 INSTEAD := chapters/book/instead
 WASM_EMULATED := signal mman process-clocks getpid
 WASM_LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -I. -isystem $(INSTEAD)/include \
-	-include $(INSTEAD)/include/no_processes.h \
+	-isystem $(WASM)/include -include $(INSTEAD)/c_library.h \
 	-ffunction-sections -fdata-sections $(foreach e,SIGNAL MMAN PROCESS_CLOCKS GETPID,-D_WASI_EMULATED_$(e))
 WASM_OPTIMIZE = -O2
 WASM_COMPILE = $(WASM_CC) $(WASM_LANGUAGE) $(WASM_OPTIMIZE) $(STRICT) $(WERROR) $(WASM_EXTRA) -MMD -MP -c
@@ -30,13 +30,18 @@ wasm-is-here:
 	@echo 'int main(void) { return 0; }' | $(WASM_CC) -x c -o /dev/null - 2>/dev/null || \
 		{ echo "make book needs clang and a C library for WebAssembly: 'make setup FOR=book' installs them" >&2; exit 1; }
 .PHONY: wasm-is-here
-$(WASM)/%.o: %.c .make/toolkit/book.mk | wasm-is-here
+# Headers that the C library lacks are empty: what is used of them is in c_library.h.
+LACKING := $(addprefix $(WASM)/include/,pthread.h sys/ioctl.h sys/wait.h)
+$(LACKING):
+	$(Q)mkdir -p $(@D) && touch $@
+$(WASM)/%.o: %.c .make/toolkit/book.mk | wasm-is-here $(LACKING)
 	$(call say,wasm,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -o $@ $<
 
-# Linked before the C library, so its tanf is ours.
-$(WASM)/common.a: $(call wasm_objects,$(wildcard common/*.c common/figure/*.c)) $(WASM)/$(INSTEAD)/tanf.o
+# Linked before the C library, so what c_library.c has is ours.
+$(WASM)/common.a: $(call wasm_objects,$(filter-out %/toolkit_file.c %/whole_file.c,$(wildcard common/*.c common/figure/*.c)) \
+	$(INSTEAD)/files.c $(INSTEAD)/c_library.c)
 $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^
@@ -74,13 +79,12 @@ BOOK_JUDGE := $(BOOK)/programs/judge.wasm
 $(WASM)/tests/judge/table.o: WASM_EXTRA = '-DTABLES="tables"'
 $(BOOK_JUDGE): $(call wasm_of,$(JUDGING)) $(if $(FROM),,$(WASM_REFERENCES)) \
 		$(call wasm_of,$(TO_PROCESS) $(DRAWING) $(REPORTING) $(B)/tests/judge/judge.o) \
-		$(patsubst %,$(WASM)/$(INSTEAD)/%.o,check no_processes) $(WASM)/common.a
+		$(WASM)/$(INSTEAD)/check.o $(WASM)/common.a
 	$(wasm_link)
 
 # The program that makes a verdict of what the judge has found.
 BOOK_COURSE := $(BOOK)/programs/course.wasm
-$(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS)) \
-		$(WASM)/$(INSTEAD)/no_processes.o $(WASM)/common.a
+$(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS)) $(WASM)/common.a
 	$(wasm_link)
 
 # What an answer is linked with: one object for each chapter, and common.a. The reference for the chapters before is in

@@ -61,27 +61,16 @@ static bool is_lent(int exercise)
 #include "tests/exercises.def" // the contracts
 
 // A handout lends nothing, and has no lent_NAME.
-#define WRAP_VALUE(result, name, parameters)                                                       \
+#define WRAP(result, name, parameters)                                                             \
     result lent_##name(DECLARED(parameters)) __attribute__((weak));                                \
     result __real_##name(DECLARED(parameters));                                                    \
     result __wrap_##name(DECLARED(parameters));                                                    \
     result __wrap_##name(DECLARED(parameters))                                                     \
     {                                                                                              \
         enter(NUMBER_##name);                                                                      \
-        return is_lent(NUMBER_##name) ? lent_##name(NAMES(parameters))                             \
-                                      : __real_##name(NAMES(parameters));                          \
-    }
-#define WRAP_VOID(result, name, parameters)                                                        \
-    result lent_##name(DECLARED(parameters)) __attribute__((weak));                                \
-    result __real_##name(DECLARED(parameters));                                                    \
-    result __wrap_##name(DECLARED(parameters));                                                    \
-    result __wrap_##name(DECLARED(parameters))                                                     \
-    {                                                                                              \
-        enter(NUMBER_##name);                                                                      \
-        if (is_lent(NUMBER_##name))                                                                \
-            lent_##name(NAMES(parameters));                                                        \
-        else                                                                                       \
-            __real_##name(NAMES(parameters));                                                      \
+        IF_VOID(result, , return )                                                                 \
+        is_lent(NUMBER_##name) ? lent_##name(NAMES(parameters))                                    \
+                               : __real_##name(NAMES(parameters));                                 \
     }
 
 #ifdef EARLIER_ANSWERS
@@ -89,6 +78,5 @@ static bool is_lent(int exercise)
 #else
 #define CHAPTER(number) (ANSWERED == 0 || ANSWERED == number)
 #endif
-#define EXERCISE(stem, result, name, parameters, ...)                                              \
-    IF_VOID(result, WRAP_VOID, WRAP_VALUE)(result, name, parameters)
+#define EXERCISE(stem, result, name, parameters, ...) WRAP(result, name, parameters)
 #include "tests/exercises.def"

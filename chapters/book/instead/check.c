@@ -3,101 +3,47 @@
 #include "chapters/book/instead/include/check.h"
 
 #include "chapters/book/instead/page.h"
+#include "tests/judge/runner.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST = 400 };
-
 struct TCase {
     void (*setup)(void), (*teardown)(void);
-};
-struct TestResult {
-    const TCase *tcase;
     const TTest *test;
     bool failed;
     char words[400];
 };
-// One at a time.
 struct Suite {
     int count;
-    TestResult tests[MOST];
-    int tcase_count;
-    TCase tcases[MOST];
+    TCase cases[MOST_TESTS];
 };
-struct SRunner {
-    Suite *suite;
-};
-
-static TestResult *running;
+static Suite suite;
+static TCase *running;
 static void (*fixture)(void); // the part of it that runs; NULL: the test itself
-
-static _Noreturn void stop(const char *words)
-{
-    fprintf(stderr, "%s\n", words);
-    exit(2);
-}
-
-static void *new (size_t size)
-{
-    void *memory = calloc(1, size);
-    if (memory == NULL)
-        stop("no memory for the tests");
-    return memory;
-}
-
-static Suite *suite_now;
 
 Suite *suite_create(const char *name)
 {
     (void)name;
-    return suite_now = new (sizeof(Suite));
+    suite.count = 0;
+    return &suite;
 }
 
 TCase *tcase_create(const char *name)
 {
     (void)name;
-    if (suite_now->tcase_count == MOST)
-        stop("too many functions");
-    return &suite_now->tcases[suite_now->tcase_count++];
+    return &suite.cases[suite.count++];
 }
 
 void tcase_add_checked_fixture(TCase *tcase, void (*setup)(void), void (*teardown)(void))
 {
-    *tcase = (TCase){setup, teardown};
-}
-
-void suite_add_tcase(Suite *suite, TCase *tcase)
-{
-    (void)suite;
-    (void)tcase;
+    *tcase = (TCase){.setup = setup, .teardown = teardown};
 }
 
 void tcase_add_test(TCase *tcase, const TTest *test)
 {
-    if (suite_now->count == MOST)
-        stop("too many tests");
-    suite_now->tests[suite_now->count++] = (TestResult){.tcase = tcase, .test = test};
-}
-
-SRunner *srunner_create(Suite *suite)
-{
-    SRunner *runner = new (sizeof *runner);
-    runner->suite = suite;
-    return runner;
-}
-
-void srunner_free(SRunner *runner)
-{
-    free(runner->suite);
-    free(runner);
-}
-
-void srunner_set_fork_status(SRunner *runner, int status)
-{
-    (void)runner;
-    (void)status;
+    tcase->test = test;
 }
 
 __attribute__((export_name("guarded"))) void guarded(void);
@@ -112,9 +58,8 @@ void guarded(void)
 void srunner_run_all(SRunner *runner, int words)
 {
     (void)words;
-    for (int i = 0; i < runner->suite->count; i++) {
-        running = &runner->suite->tests[i];
-        void (*const parts[])(void) = {running->tcase->setup, NULL, running->tcase->teardown};
+    for (running = runner->cases; running < runner->cases + runner->count; running++) {
+        void (*const parts[])(void) = {running->setup, NULL, running->teardown};
         for (int k = 0; k < 3; k++) {
             fixture = parts[k];
             if (!guard() && k == 0) // without its beginning a test does not run
@@ -136,14 +81,14 @@ void ck_abort_msg(const char *format, ...)
 
 int srunner_ntests_run(SRunner *runner)
 {
-    return runner->suite->count;
+    return runner->count;
 }
 
 TestResult **srunner_results(SRunner *runner)
 {
-    TestResult **results = new ((size_t)runner->suite->count * sizeof *results + 1);
-    for (int i = 0; i < runner->suite->count; i++)
-        results[i] = &runner->suite->tests[i];
+    TestResult **results = calloc(MOST_TESTS, sizeof *results);
+    for (int i = 0; results != NULL && i < runner->count; i++)
+        results[i] = &runner->cases[i];
     return results;
 }
 

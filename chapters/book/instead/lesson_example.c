@@ -21,42 +21,18 @@ static struct {
     Sphere sphere;
 } example;
 
-Camera __real_example_camera(void), __wrap_example_camera(void);
-Normalized __real_example_place(void), __wrap_example_place(void);
-ScreenPoint __real_example_point(void), __wrap_example_point(void);
-Pixel __real_example_pixel(void), __wrap_example_pixel(void);
-Ray __real_example_ray(void), __wrap_example_ray(void);
-Sphere __real_example_sphere(void), __wrap_example_sphere(void);
-
-Camera __wrap_example_camera(void)
-{
-    return example.camera;
-}
-
-Normalized __wrap_example_place(void)
-{
-    return example.place;
-}
-
-ScreenPoint __wrap_example_point(void)
-{
-    return (ScreenPoint){example.point[0], example.point[1]};
-}
-
-Pixel __wrap_example_pixel(void)
-{
-    return example.pixel;
-}
-
-Ray __wrap_example_ray(void)
-{
-    return example.ray;
-}
-
-Sphere __wrap_example_sphere(void)
-{
-    return example.sphere;
-}
+#define EXAMPLE(type, name, value)                                                                 \
+    type __real_example_##name(void), __wrap_example_##name(void);                                 \
+    type __wrap_example_##name(void)                                                               \
+    {                                                                                              \
+        return value;                                                                              \
+    }
+EXAMPLE(Camera, camera, example.camera)
+EXAMPLE(Normalized, place, example.place)
+EXAMPLE(ScreenPoint, point, ((ScreenPoint){example.point[0], example.point[1]}))
+EXAMPLE(Pixel, pixel, example.pixel)
+EXAMPLE(Ray, ray, example.ray)
+EXAMPLE(Sphere, sphere, example.sphere)
 
 // The pixel that a point is in, as in chapters/03-screen/main.c; or the point where a pixel begins.
 static void complete(void)
