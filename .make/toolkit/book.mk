@@ -23,6 +23,9 @@ WASM_COMPILE = $(WASM_CC) $(WASM_LANGUAGE) $(WASM_OPTIMIZE) $(STRICT) $(WERROR) 
 WASM_LINK = $(WASM_CC) -Wl,--gc-sections -Wl,--strip-debug -Wl,--stack-first -Wl,-z,stack-size=1048576
 WASM_LIBS := $(WASM_EMULATED:%=-lwasi-emulated-%) -lm
 
+# Puts files into one.
+WRITE_PACK := chapters/book/site/write_pack.mjs
+
 # For the objects of a list of sources: the stand-in if there is one.
 instead_of = $(or $(wildcard $(INSTEAD)/$(notdir $(1))),$(1))
 wasm_objects = $(foreach source,$(1),$(patsubst %.c,$(WASM)/%.o,$(call instead_of,$(source))))
@@ -190,7 +193,7 @@ endif
 BOOK_PICTURES := $(BOOK)/pictures.pack.gz
 $(BOOK_PICTURES): $(PICTURE_LINKS) $(if $(FROM),,$(REFERENCE_LINKS)/made) $(BOOK_SPHERES) $(WASM)/shared.a $(SPHERES) $(wildcard chapters/[0-9]*/*.nff)
 	$(call say,pack,$@)
-	$(Q)node chapters/book/compiler/write_pack.js $(WASM)/pictures.pack chapters/book/compiler/flags.json \
+	$(Q)node $(WRITE_PACK) $(WASM)/pictures.pack \
 		$(if $(FROM),,$$(for f in $(REFERENCE_LINKS)/*.o; do echo link/reference/$${f##*/}=$$f; done)) $(foreach f,$(PICTURE_LINKS) $(BOOK_SPHERES) $(WASM)/shared.a,link/$(notdir $(f))=$(f)) \
 		$(foreach f,$(filter %.nff,$^),$(f)=$(f))
 	$(Q)gzip -9nc $(WASM)/pictures.pack > $@
@@ -268,8 +271,8 @@ $(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) 
 # What course and judge read: headers for what the compiler says, hints, blanks, layouts.
 BOOK_JUDGED := $(BOOK)/tree/files.json
 $(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/figure/*.gp tests/judge/layouts/*.gp \
-		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(if $(FROM),$(B)/exercises.names) $(BOOK_PLAN) $(BOOK_SOURCES)/site/pack_texts.mjs
-	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
+		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(if $(FROM),$(B)/exercises.names) $(BOOK_PLAN) $(WRITE_PACK)
+	$(Q)node $(WRITE_PACK) $@ $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN)
 
 BOOK_TABLES := $(STEMS:%=$(BOOK)/tables/%.table.gz)
 $(BOOK_TABLES): $(BOOK)/tables/%.gz: $(if $(FROM),$(ARCHIVED),$(TABLE))/%
@@ -325,9 +328,9 @@ $(BOOK_GNUPLOT): $(BOOK_PACKAGES) .make/toolkit/book.mk
 	$(Q)$(XZ) --lzma2=preset=9e,dict=2MiB $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
 BOOK_LAYOUTS := $(BOOK)/figures/files.json
 $(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0-9]*/figures/*.gp \
-		chapters/[0-9]*/figures/*.nff) $(BOOK_SOURCES)/site/pack_texts.mjs
+		chapters/[0-9]*/figures/*.nff) $(WRITE_PACK)
 	$(Q)mkdir -p $(@D)
-	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs,$^) > $@
+	$(Q)node $(WRITE_PACK) $@ $(filter-out %.mjs,$^)
 
 # The numbers in a lesson, for the example that a figure shows (instead/lesson_example.c).
 LESSON_NUMBERS := $(LESSONS:%=$(BOOK)/programs/%-numbers.wasm)
@@ -391,10 +394,10 @@ PACKED = weak.h=$(B)/weak.h common/=common exercises/=exercises include/=$(subst
 	$(foreach library,$(STRIPPED),lib/$(notdir $(library))=$(library)) \
 	$(foreach o,$(ANSWERING_LINKS),link/$(notdir $(o))=$(o) names/$(basename $(notdir $(o)))=$(WASM)/names/$(basename $(notdir $(o)))) \
 	$(if $(ANSWERING_LINKS),lib/common.a=$(WASM)/common.a)
-$(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_COMPILER)/include/stddef.h $(STRIPPED) \
+$(WASM_COMPILER)/pack: $(WRITE_PACK) $(WASM_COMPILER)/include/stddef.h $(STRIPPED) \
 		$(B)/weak.h $(wildcard common/*.h exercises/*.h) $(ANSWERING_LINKS) $(if $(ANSWERING_LINKS),$(STEMS:%=$(WASM)/names/%) $(WASM)/common.a)
 	$(call say,pack,headers and libraries)
-	$(Q)node $(COMPILER)/write_pack.js $@ $< $(PACKED)
+	$(Q)node $< $@ $(PACKED)
 
 # xz-decompress knows no other check. The small one is fetched by each student, so it is packed as well as can be.
 XZ := xz --check=crc32 --threads=1 --stdout
@@ -418,7 +421,7 @@ TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional
 SLIPS ?= 2000
 book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
 	$(call say,train,clang)
-	$(Q)node $(COMPILER)/write_pack.js $(WASM_COMPILER)/training $(COMPILER)/flags.json $(PACKED) tests/=tests chapters/=chapters
+	$(Q)node $(WRITE_PACK) $(WASM_COMPILER)/training $(PACKED) tests/=tests chapters/=chapters
 	$(Q)wasm-split --instrument --profile-export=__write_profile -all $(WASM_COMPILER)/whole.wasm -o $(WASM_COMPILER)/noting.wasm
 	$(Q)node $(COMPILER)/train.mjs $(WASM_COMPILER)/noting.wasm $(CLANG_OF_NPM)/llvm.core.wasm $(WASM_COMPILER)/training \
 		$(WASM)/pictures.pack $(COMPILER)/kept.txt $(SLIPS) $(TRAINED) > $(WASM_COMPILER)/kept.new

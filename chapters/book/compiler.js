@@ -1,13 +1,31 @@
 // compiler.js - the C compiler of the page: clang and its linker, as WebAssembly.
 //
 // A text becomes a module in two runs of one program: 'clang -cc1' makes an object of it, 'wasm-ld' links that
-// object with the code that answers the judge's calls. The flags and everything that is linked are in the
-// pack, which make writes (compiler/write_pack.js).
+// object with the code that answers the judge's calls. Headers and everything that is linked are in the
+// pack, which make writes (site/write_pack.mjs).
 //
 // The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
 // traps; then the whole compiler is fetched, and that run is made again with it.
 import xz from "xz-decompress";
 import { Exit, Files, PAGE, clear, instantiate, isEmpty, trapOf, wasi } from "./wasi.js";
+
+const LANGUAGE = ["-triple", "wasm32-unknown-wasip1", "-emit-obj", "-disable-free", "-fgnuc-version=4.2.1",
+    "-std=c11", "-D", "_DEFAULT_SOURCE", "-ffp-contract=off", "-O0",
+    "-I", ".", "-resource-dir", "clang", "-internal-isystem", "clang/include", "-internal-isystem", "include",
+    "-Wall", "-Wextra", "-Wno-psabi", "-Wno-unused-parameter",
+    "-Wno-missing-field-initializers", "-Wno-missing-braces", "-Wno-sign-compare",
+    "-Werror=return-type", "-Werror=implicit-function-declaration", "-include", "weak.h", "-ffunction-sections"];
+const CHECKS = ["-fsanitize=array-bounds,local-bounds,null", "-fsanitize-trap=array-bounds,local-bounds",
+    "-fsanitize-coverage-type=3", "-fsanitize-coverage-no-prune", "-fsanitize-coverage-trace-pc"];
+const LIBRARIES = ["common.a", ...["signal", "mman", "process-clocks", "getpid"].map((name) => `libwasi-emulated-${name}.a`), "libm.a", "libc.a", "builtins.a"];
+
+/** An answer's compilation; isChecked: the judge counts its steps and checks its pointers, which a picture does not need. */
+export const compileWords = (stem, isChecked = true) => ["llvm", "clang", "-cc1", ...LANGUAGE, ...isChecked ? CHECKS : [],
+    "-main-file-name", `${stem}.c`, "-o", "answer.o", "-x", "c", `exercises/${stem}.c`];
+/** A link; stays: the program is called again and again, instead of once. */
+export const linkWords = (words, stays) => ["llvm", "wasm-ld", "-o", "linked.wasm", ...stays ? ["--entry", "_initialize", "lib/crt1-reactor.o"] : ["lib/crt1-command.o"],
+    "--gc-sections", "--stack-first", "-z", "stack-size=1048576", "--max-memory=536870912", ...words,
+    ...LIBRARIES.map((name) => `lib/${name}`)];
 
 const SMALL = "compiler/small.wasm.xz", WHOLE = "compiler/whole.wasm.xz", PACK = "compiler/pack.xz";
 // An answer that is compiled while nobody waits.
@@ -162,9 +180,6 @@ export class Compiler {
         this.pack = pack;
         this.small = small;
         this.loadWhole = loadWhole;
-        this.flags = JSON.parse(new TextDecoder().decode(pack.get("flags.json")));
-        /** For pictures: nothing is counted, and nothing checked. */
-        this.flags.draw = this.flags.compile.filter((flag) => !flag.startsWith("-fsanitize"));
     }
 
     /** An engine makes code of a function when it is first called: a student should not wait for that. */
@@ -190,10 +205,8 @@ export class Compiler {
    *          messages: string}>} messages: what the compiler said, or the linker if that failed
    */
     async compile({ stem, files }) {
-        const source = `exercises/${stem}.c`;
         const start = performance.now();
-        const compiled = await this.run(["llvm", "clang", "-cc1", ...this.flags.compile, "-main-file-name", `${stem}.c`,
-            "-o", "answer.o", "-x", "c", source], new Map([...this.pack, ...Object.entries(files)]));
+        const compiled = await this.run(compileWords(stem), new Map([...this.pack, ...Object.entries(files)]));
         this.times = { compile: performance.now() - start, link: 0 };
         if (compiled.status !== 0)
             return { module: null, ...failed(compiled, "compile") };
@@ -202,24 +215,24 @@ export class Compiler {
         return linked.module ? { ...linked, object, stage: "compile", messages: compiled.stderr } : { ...linked, object };
     }
 
-    /** The linker's words for a chapter's answer; objects: it, and the answers that it calls. */
-    linkWords(stem, objects = ["answer.o"]) {
-        const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter((name) => name !== "");
-        return this.flags.link.flatMap((word) => word === "WRAPS" ? names.map((name) => `--wrap=${name}`)
-      : word === "answer.o" ? objects : [word.replace("STEM", stem)]);
-    }
+    /** The exercises of a chapter; of a handout, those before it too. */
+    namesOf(stem) { return new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter(Boolean); }
 
     /**
-   * Links an object with what answers the judge's calls. Calls of an exercise, in the answer too, go through
-   * chapters/book/instead/calls_traced.c.
-   * @returns as compile
+   * The words of the link of a chapter's answer with what answers the judge's calls. Calls of an exercise, in the answer
+   * too, go through chapters/book/instead/calls_traced.c. objects: the answer, and the answers that it calls
    */
+    answerWords(stem, objects = ["answer.o"]) {
+        return linkWords(["--export=__stack_pointer", "--strip-debug", ...objects, ...this.namesOf(stem).map((name) => `--wrap=${name}`), `link/${stem}.o`], true);
+    }
+
+    /** @returns as compile */
     async link(stem, object) {
-        const linked = await this.run(["llvm", "wasm-ld", ...this.linkWords(stem)], new Map([...this.pack, ["answer.o", object]]));
+        const linked = await this.run(this.answerWords(stem), new Map([...this.pack, ["answer.o", object]]));
         if (linked.status !== 0)
             return { module: null, ...failed(linked, "link") };
         // Not by WebAssembly.compile: in WebKit that waits until all threads are done with making the compiler faster.
-        return { module: new WebAssembly.Module(linked.files.get("answer.wasm")), status: 0, stage: "link", messages: linked.stderr };
+        return { module: new WebAssembly.Module(linked.files.get("linked.wasm")), status: 0, stage: "link", messages: linked.stderr };
     }
 }
 

@@ -1,9 +1,8 @@
 // judge_worker.js - judges answers beside the page: the compiler and the judge. What a question needs is fetched when it
 // is first asked.
-import { castLinker } from "./cast/link_cast.js";
 import { load, unpack } from "./compiler.js";
 import { createJudge, partsOf } from "./judge.js";
-import { toolsOf, WholeCompilerNeeded } from "./tools.js";
+import { castLinker, toolsOf, WholeCompilerNeeded } from "./tools.js";
 import { answerQuestions, fetched, once, program, tellProgress, texts, unzipped } from "./worker_questions.js";
 
 // The compiler comes first, because there is most to do with it; the judge while the first answer is compiled.

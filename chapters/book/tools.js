@@ -1,13 +1,14 @@
-// tools.js - the commands of the judge's plan that a page runs at once: compiling another chapter's answer, and linking
-// the programs that draw pictures with answers; and, in a handout, hiding the helpers of an answer.
+// tools.js - what a page compiles and links besides the answer that is judged: the commands of the judge's plan, for
+// another chapter's answer and for programs that draw pictures with answers; cast.c with answers; and the helpers of an
+// answer hidden.
+import { compileWords, linkWords } from "./compiler.js";
 import { Files } from "./wasi.js";
 
 /** The small compiler lacks a function that this run needs. */
 export class WholeCompilerNeeded extends Error {}
 
-export const LIBRARIES = ["lib/common.a"].concat(["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`),
-    ["lib/libm.a", "lib/libc.a", "lib/builtins.a"]);
-export const FLAGS = ["--gc-sections", "--strip-all", "--no-check-features", "--stack-first", "-z", "stack-size=1048576", "--max-memory=536870912"];
+const FOR_PICTURES = ["--strip-all", "--no-check-features"];
+const moduleOf = ({ status, files }) => status === 0 ? new WebAssembly.Module(files.get("linked.wasm")) : undefined;
 
 /**
  * @param {import("./compiler.js").Compiler} compiler
@@ -18,11 +19,15 @@ export function toolsOf(compiler, objects) {
     const compiled = new Map(); // source and text -> what compile gave
     const linked = new Map();   // what was linked before: the same objects make the same program
 
-    function run(args, files) {
-        const result = program.run({ args: ["llvm", ...args], files: new Files(files) });
+    function run(args, given) {
+        const result = program.run({ args, files: new Files(new Map([...compiler.pack, ...given])) });
         if (result.trap !== undefined && program === compiler.small)
             throw new WholeCompilerNeeded();
-        return { ...result, said: result.stderr, status: result.trap === undefined ? result.status : 1 };
+        return { files: result.files, said: result.stderr, status: result.trap === undefined ? result.status : 1 };
+    }
+    function linkOf(args, given) {
+        const result = run(args, given);
+        return { status: result.status, said: result.said, module: moduleOf(result) };
     }
     const option = (words, name) => words[words.indexOf(name) + 1];
 
@@ -33,11 +38,10 @@ export function toolsOf(compiler, objects) {
         compile(words, files) {
             const source = words.at(-1), text = files.text(source), key = `${source}\n${text}`;
             if (!compiled.has(key)) {
-                const result = run(["clang", "-cc1", ...compiler.flags.compile, "-main-file-name", source.split("/").pop(), "-o", "answer.o", "-x", "c", source],
-                    new Map([...compiler.pack, [source, text]]));
-                compiled.set(key, { status: result.status, said: result.said, object: result.files.get("answer.o") });
+                const { files: left, ...result } = run(compileWords(source.split("/").pop().replace(/\.c$/, "")), [[source, text]]);
+                compiled.set(key, { result, object: left.get("answer.o") });
             }
-            const { object, ...result } = compiled.get(key);
+            const { result, object } = compiled.get(key);
             if (result.status === 0)
                 files.put(option(words, "-o"), object.slice());
             return result;
@@ -47,10 +51,8 @@ export function toolsOf(compiler, objects) {
             const stem = /([^/]+)\/(answering|alone)$/.exec(option(words, "-o"))?.[1];
             if (stem === undefined)
                 return undefined;
-            const objects = words.filter((word) => word.endsWith("/answer.o"));
-            const result = run(["wasm-ld", ...compiler.linkWords(stem, objects)],
-                new Map([...compiler.pack, ...objects.map((name) => [name, files.get(name)?.slice() ?? new Uint8Array()])]));
-            return { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("answer.wasm")) : undefined };
+            const answers = words.filter((word) => word.endsWith("/answer.o"));
+            return linkOf(compiler.answerWords(stem, answers), answers.map((name) => [name, files.get(name)?.slice() ?? new Uint8Array()]));
         },
         link(words, files) {
             const names = words.filter((word) => /\.[oa]$/.test(word) && word !== "link/common.a"); // that is in the pack
@@ -61,16 +63,62 @@ export function toolsOf(compiler, objects) {
             const before = linked.get(option(words, "-o"));
             if (before && before.given.length === given.length && before.given.every(([name, bytes], at) => name === given[at][0] && same(bytes, given[at][1])))
                 return before.result;
-            const result = run(["wasm-ld", "-o", "program.wasm", ...FLAGS, "lib/crt1-command.o", ...names, ...LIBRARIES],
-                new Map([...compiler.pack, ...given.map(([name, bytes]) => [name, bytes.slice()])]));
-            const made = { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("program.wasm")) : undefined };
-            linked.set(option(words, "-o"), { given: given.map(([name, bytes]) => [name, bytes.slice()]), result: made });
-            return made;
+            const result = linkOf(linkWords([...FOR_PICTURES, ...names], false), given.map(([name, bytes]) => [name, bytes.slice()]));
+            linked.set(option(words, "-o"), { given: given.map(([name, bytes]) => [name, bytes.slice()]), result });
+            return result;
         },
     };
 }
 
 const same = (a, b) => a === b || (a.length === b.length && a.every((byte, at) => byte === b[at]));
+
+// ---- a program that casts -------------------------------------------------------------------------
+
+// cast.c linked with a student's answers, which are compiled for pictures. What is not answered, or not right, the
+// reference answers.
+
+/**
+ * @param {import("./compiler.js").Compiler} compiler
+ * @param {Map<string, Uint8Array>} objects those of pictures.pack.gz
+ */
+export function castLinker(compiler, objects) {
+    const stems = [...compiler.pack.keys()].filter((path) => path.startsWith("names/")).map((path) => path.slice(6)).sort();
+    const exercises = new Set(stems.flatMap((stem) => compiler.namesOf(stem))), compiled = new Map(); // stem -> {text, object}: the last text
+
+    /** The object of an answer; null if it does not compile. Helpers of two chapters may have one name, so they are hidden. */
+    async function objectOf(stem, text) {
+        if (compiled.get(stem)?.text !== text) {
+            const result = await compiler.run(compileWords(stem, false), new Map([...compiler.pack, [`exercises/${stem}.c`, text]]));
+            compiled.set(stem, { text, object: result.status === 0 ? hideHelpers(result.files.get("answer.o"), exercises) : null });
+        }
+        return compiled.get(stem).object;
+    }
+
+    return {
+        objectOf,
+        /**
+         * @param {Object<string, {text: string, used: string[]}>} answers by stem; used: the functions that are taken
+         * @param {boolean} [isRace] questions are counted, which takes time
+         * @returns {Promise<{module: WebAssembly.Module, yours: string[], reference: string[]}>}
+         */
+        async link(answers, isRace = false) {
+            const given = new Map(), yours = [], reference = [];
+            for (const stem of stems) {
+                const { text, used = [] } = answers[stem] ?? {}, object = used.length > 0 ? await objectOf(stem, text) : null;
+                if (object)
+                    given.set(`${stem}.o`, object.slice());
+                for (const name of compiler.namesOf(stem))
+                    (object && used.includes(name) ? yours : reference).push(name);
+            }
+            const others = ["link/cast.o", "link/shared.a", ...stems.map((stem) => `link/${stem}-right.o`), ...reference.map((name) => `link/reference/${name}.o`)];
+            const words = [...FOR_PICTURES, ...isRace ? ["--wrap=hit_sphere", "--wrap=pixel_ray"] : [], ...given.keys(), ...others];
+            const linked = await compiler.run(linkWords(words, true), new Map([...compiler.pack, ...given, ...others.map((path) => [path, objects.get(path).slice()])]));
+            if (linked.status !== 0)
+                throw new Error(`your answers cannot be linked: ${linked.stderr.split("\n")[0]}`);
+            return { module: moduleOf(linked), yours, reference };
+        },
+    };
+}
 
 // ---- hiding helpers -------------------------------------------------------------------------------
 

@@ -154,13 +154,11 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
         args_sizes_get: sizes(given), args_get: strings_get(given),
         environ_sizes_get: sizes(environment), environ_get: strings_get(environment),
         proc_exit(status) { throw new Exit(status); },
-        sched_yield: () => OK,
         random_get(at, size) { // the same in each run
             for (let i = 0, x = 2015; i < size; i++)
                 bytes(at + i, 1)[0] = (x = (x * 69069 + 1) >>> 0) >>> 24;
             return OK;
         },
-        clock_res_get(_, at) { view().setBigUint64(at, 1000000n, true); return OK; },
         clock_time_get(_, __, at) { view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true); return OK; },
         poll_oneoff: (_, __, ___, at) => size_put(at, 0),
 
@@ -189,7 +187,6 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             if (!open[fd])
                 return BAD_FILE; open[fd] = undefined; return OK;
         },
-        fd_renumber(from, to) { open[to] = open[from]; open[from] = undefined; return OK; },
         fd_filestat_get(fd, at) {
             const it = open[fd];
             if (!it)
@@ -200,7 +197,7 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             if (!file_of(fd))
                 return BAD_FILE; file_of(fd).resize(Number(size)); return OK;
         },
-        fd_filestat_set_times: () => OK, fd_sync: () => OK, fd_datasync: () => OK, fd_advise: () => OK,
+        fd_filestat_set_times: () => OK,
         fd_read(fd, list, count, at) {
             const it = open[fd];
             if (!it?.file)
@@ -224,10 +221,6 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             it.at += moved;
             return size_put(at, moved);
         },
-        fd_pwrite(fd, list, count, to, at) {
-            const moved = file_of(fd) ? write(file_of(fd), Number(to), list, count) : -1;
-            return moved < 0 ? BAD_FILE : size_put(at, moved);
-        },
         fd_seek(fd, by, whence, at) {
             const it = open[fd];
             if (!it?.file)
@@ -238,7 +231,6 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             view().setBigUint64(at, BigInt(it.at), true);
             return OK;
         },
-        fd_tell(fd, at) { view().setBigUint64(at, BigInt(open[fd].at), true); return OK; },
         fd_readdir(fd, at, size, cookie, used) {
             const folder = open[fd]?.folder;
             if (folder === undefined)
@@ -291,7 +283,6 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             return file ? stat(into, FILE, file.number, file.size)
         : files.folders.has(path) ? stat(into, FOLDER, files.folders.get(path), 0) : NO_ENTRY;
         },
-        path_filestat_set_times: () => OK,
         path_readlink: () => INVALID, path_link: () => ACCESS, path_symlink: () => ACCESS,
         path_unlink_file(folder, at, size) { return files.remove(path_of(folder, at, size)) ? OK : NO_ENTRY; },
         path_create_directory(folder, at, size) {

@@ -1,6 +1,7 @@
 // scene_view.js - a canvas that shows a scene, cast by a program in a pool of Workers: from coarse to fine, and coarse
 // again while the camera moves. Turned by mouse, finger and key.
-import { Replaced } from "./pool.js";
+import { unzipped } from "../worker_questions.js";
+import { Pool, Replaced } from "./pool.js";
 import { fly, numbersOf, orbit, viewOf, zoom } from "./scene.js";
 
 const FRAME = 28; // milliseconds of a frame while something moves
@@ -167,4 +168,31 @@ export class SceneView {
             this.look(change(this.view));
         });
     }
+}
+
+// ---- what a page needs to show one ----------------------------------------------------------------
+
+/** A scene of the site. */
+export const sceneOf = async (name) => new TextDecoder().decode(await unzipped(`scenes/${name}.nff.gz`));
+
+/** A view on a canvas, which sleeps while nobody sees it. */
+export function openView(canvas, site, told) {
+    const pool = new Pool(() => new Worker(new URL("cast_worker.js", site), { type: "module" }));
+    const view = new SceneView(canvas, pool, told);
+    document.addEventListener("visibilitychange", () => {
+        if (document.visibilityState === "hidden")
+            pool.sleep();
+        else if (view.opened)
+            view.draw();
+    });
+    return view;
+}
+
+/** The picture as a PNG file, for the student. */
+export function save(canvas, name) {
+    canvas.toBlob((blob) => {
+        const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    });
 }

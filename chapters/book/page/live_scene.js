@@ -1,7 +1,8 @@
 // live_scene.js - a scene beside the exercise, cast by the student's functions while they write, right or wrong: turned,
 // its spheres and lights dragged, another scene chosen or written, and one pixel explained.
-import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
 import { beside, moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
+import { openView, save, sceneOf } from "../cast/scene_view.js";
+import { program } from "../worker_questions.js";
 import { drawStory, storyOf } from "./pixel_story.js";
 import { RACERS, setUpRace } from "./race.js";
 import { showView } from "./room.js";
@@ -111,7 +112,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     async function choose(chosen) {
         name = scenes.value = chosen;
         if (chosen !== OWN)
-            show(await sceneOf(site, chosen), { isOwn: false });
+            show(await sceneOf(chosen), { isOwn: false });
     }
     const viewpoint = (of) => of.split("\n").filter((line) => /^\s*(from|at|up|angle)\b/.test(line)).join();
 
@@ -150,7 +151,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
             return;
         linking = true;
         try {
-            const made = Object.keys(given).length === 0 ? { module: await referenceProgram(site), yours: [] } : await ask({ do: "program", answers: given });
+            const made = Object.keys(given).length === 0 ? { module: await program("cast"), yours: [] } : await ask({ do: "program", answers: given });
             linked = key;
             const states = answers.verdict(stem)?.states ?? {}, yours = made.yours.map((each) => ["right", undefined].includes(states[each]) ? each : `${each} (not right yet)`);
             credit.textContent = yours.length === 0 ? "By the reference: your functions will take its place." : yours.length === Object.keys(chapterOf).length ? "Cast by your own code."

@@ -1,6 +1,7 @@
 // mistakes.js - the gallery of a chapter: a scene cast by a known mistake (cast/mistaken.c); the student guesses the line, sees
 // why it is wrong, and what the other lines would have drawn.
-import { fetched, openView, sceneOf, unzipped } from "../cast/open_view.js";
+import { openView, sceneOf } from "../cast/scene_view.js";
+import { program, unzipped } from "../worker_questions.js";
 import { element, sentence } from "./verdict.js";
 
 const $ = (id) => document.getElementById(id);
@@ -21,9 +22,8 @@ export function setUpMistakes({ site, course, answers, showTrouble }) {
             onPicture(isFine) { view.canvas.toggleAttribute("data-fine", isFine); },
             onTrouble: (trouble) => showTrouble(trouble && sentence(trouble)),
         });
-        const [program, scene, text] = await Promise.all([fetched(site, "programs/mistaken.wasm").then(WebAssembly.compileStreaming),
-            sceneOf(site, "three-spheres"), unzipped(site, "mistakes.json.gz")]);
-        return { program, scene, all: JSON.parse(text) };
+        const [casting, scene, questionsOf] = await Promise.all([program("mistaken"), sceneOf("three-spheres"), unzipped("mistakes.json.gz")]);
+        return { program: casting, scene, all: JSON.parse(new TextDecoder().decode(questionsOf)) };
     }
     let ready = null;
 
@@ -40,9 +40,9 @@ export function setUpMistakes({ site, course, answers, showTrouble }) {
             $("closed").append("Not open yet. ", element("a", { href: `${stem}.html#exercise` }, course.titles[stem]), ` still needs: ${missing.join(", ")}.`);
             return;
         }
-        const { program, scene, all } = await (ready ??= begin());
+        const { all, ...opened } = await (ready ??= begin());
         questions = all[stem];
-        view.opened = { program, scene };
+        view.opened = opened;
         ask(0);
     }
 

@@ -1,7 +1,7 @@
 // own_picture.js - the picture of the start page, cast in the page: by the reference, and from the first right answer on
 // by the student's functions.
-import { openView, referenceProgram, save, sceneOf } from "../cast/open_view.js";
-import { Helper } from "../worker_questions.js";
+import { openView, save, sceneOf } from "../cast/scene_view.js";
+import { Helper, program } from "../worker_questions.js";
 
 const NAMED = 8; // functions that are named under the picture
 
@@ -46,8 +46,8 @@ export function setUpOwnPicture({ place, site, course, answers }) {
         },
     });
     async function begin() {
-        const [program, scene] = await Promise.all([referenceProgram(site), sceneOf(site, "finale")]);
-        await view.show({ program, scene });
+        const [reference, scene] = await Promise.all([program("cast"), sceneOf("finale")]);
+        await view.show({ program: reference, scene });
     }
     const ready = begin();
     return async function follow() {

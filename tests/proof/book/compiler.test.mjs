@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { gunzipSync } from "node:zlib";
-import { castLinker } from "../../../chapters/book/cast/link_cast.js";
+import { castLinker } from "../../../chapters/book/tools.js";
 import { Compiler, Program, load, unpack } from "../../../chapters/book/compiler.js";
 import { toolsOf } from "../../../chapters/book/tools.js";
 import { Files } from "../../../chapters/book/wasi.js";
