@@ -15,7 +15,7 @@ from grade.collect import submissions  # noqa: E402 - found from there on
 from grade.mark.crew import alone, mark_all  # noqa: E402
 from grade.mark.grader import Grader  # noqa: E402
 from grade.mark.lecture_figures import lecture_figures  # noqa: E402
-from grade.people.class_list import class_of  # noqa: E402
+from grade.people.matching import class_of  # noqa: E402
 from grade.people.history import members, remember  # noqa: E402
 from grade.people.ledger import check_marks, read_ledger, stem_named  # noqa: E402
 from grade.people.sheets import SheetError  # noqa: E402

@@ -12,12 +12,11 @@ import re
 import subprocess
 import sys
 import time
-import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from .fixtures import locked
+from .fixtures import lay, locked, zipped
 
 KIT = os.environ.get("KIT", "build/grading")
 SEED = "20150929"
@@ -115,21 +114,11 @@ def but(stem: str, **bodies: str) -> str:
     return text
 
 
-def from_windows(stem: str) -> bytes:
-    return b"\xef\xbb\xbf" + right(stem).replace("\n", "\r\n").encode()
-
-
 def build_class(folder: Path) -> None:
-    def put(name: str, files: dict[str, str | bytes]) -> None:
-        for path, text in files.items():
-            place = folder / name / path
-            place.parent.mkdir(parents=True, exist_ok=True)
-            place.write_bytes(text if isinstance(text, bytes) else text.encode())
+    def put(name: str, files: dict[str, str]) -> None:
+        lay(folder / name, {path: text.encode() for path, text in files.items()})
 
     put("all right", {f"{stem}.c": right(stem) for stem in STEMS})
-    put("deep", {f"week 3/mine/{stem}.c": right(stem) for stem in STEMS[:2]})
-    put("from windows", {f"{stem}.c": from_windows(stem) for stem in STEMS[:3]})
-    put("blanks", {f"{stem}.c": Path("build/blanks", f"{stem}.c").read_text() for stem in STEMS})
     put("mirrored", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED)})
     put("endless", {"01-corners.c": but("01-corners", upper_left="for (;;) { }")})
     put("crash", {"01-corners.c": but("01-corners", upper_left="return *(vec3 *)0;")})
@@ -143,17 +132,9 @@ def build_class(folder: Path) -> None:
     put("each other", {"01-corners.c": but("01-corners",
                                            upper_left="return upper_right(c) - c.width * c.right;",
                                            upper_right="return upper_left(c) + c.width * c.right;")})
-    put("two of one name", {"a/01-corners.c": right("01-corners"), "b/01-corners.c": "int x;\n"})
     put("-leading dash 'quote\" newline\n\x1b[31m =ü", {"03-screen.c": right("03-screen")})
-    (folder / "nothing").mkdir()
-    with zipfile.ZipFile(folder / "zipped.zip", "w") as archive:
-        archive.writestr("x/04-pixel-ray.c", right("04-pixel-ray"))
-        archive.writestr("../../03-screen.c", right("03-screen"))
-    (folder / "broken.tar.gz").write_bytes(b"no archive")
-    (folder / "=1+1<b>.pdf").write_bytes(b"%PDF-1.7\n")
-    for name, answers in (("zoe_506_9039_submission.zip", up_to("01-corners", "upper_right")),
-                          ("zoe_LATE_506_9040_submission-1.zip", right("01-corners"))):
-        with zipfile.ZipFile(folder / name, "w") as archive:
-            archive.writestr("01-corners.c", answers)
-    (folder / "xaver.zip").write_bytes(locked((folder / "zoe_506_9039_submission.zip").read_bytes()))
-    (folder / "read me.txt").write_text("for the instructor\n")
+    first, last = (zipped(("01-corners.c", text)) for text in (up_to("01-corners", "upper_right"), right("01-corners")))
+    lay(folder, {"nothing/": b"", "broken.tar.gz": b"no archive", "=1+1<b>.pdf": b"%PDF-1.7\n",
+                 "zipped.zip": zipped(("x/04-pixel-ray.c", right("04-pixel-ray")), ("../../03-screen.c", right("03-screen"))),
+                 "zoe_506_9039_submission.zip": first, "zoe_LATE_506_9040_submission-1.zip": last, "xaver.zip": locked(first),
+                 "read me.txt": b"for the instructor\n"})

@@ -1,6 +1,6 @@
 """test_class.py - who is in the class, and whose each submission is: 300 people on every platform, nobody lost or doubled."""
 from grade.collect import submissions
-from grade.people.class_list import class_of
+from grade.people.matching import class_of
 from grade.people.roster import Roster
 from grade.people.sheets import Sheet, SheetError
 from . import platforms

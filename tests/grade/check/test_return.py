@@ -5,11 +5,10 @@ import csv
 import os
 import subprocess
 import sys
-import time
 import zipfile
 from pathlib import Path
 
-from grade.people.class_list import class_of
+from grade.people.matching import class_of
 from grade.people.history import remember
 from grade.people.sheets import Sheet
 from grade.report import files
@@ -206,24 +205,3 @@ class Returned(WithFolder):
         self.hand_back("canvas", GRADES=grades, COLUMN="Week 2", SCALE=1)
         back = Sheet(self.out / "return" / "canvas" / "grades.csv")
         self.assertEqual(back.cell(back.rows[4], back.column("Week 2 (78)")), "0.05" if them[2].texts else "0")
-
-    def test_killed_at_any_time_a_file_is_whole_or_not_there(self):
-        them = platforms.students()
-        self.marked(them, platforms.moodle, platforms.moodle_worksheet)
-        words, environment = self.command("moodle", GRADES=self.grades(platforms.moodle_worksheet(them)))
-        self.hand_back("moodle", GRADES=self.work / "grades.csv")
-        folder = self.out / "return" / "moodle"
-        whole = {path.name: path.read_bytes() for path in folder.iterdir()}
-        began = time.monotonic()
-        subprocess.run(words, env=environment, capture_output=True)
-        takes = time.monotonic() - began
-        for again in range(20):
-            for path in folder.iterdir():
-                path.unlink()
-            running = subprocess.Popen(words, env=environment, stdout=subprocess.DEVNULL)
-            time.sleep(takes * (0.5 + again / 40))
-            running.kill()
-            running.wait()
-            for path in folder.iterdir():
-                if not path.name.startswith("."):
-                    self.assertEqual(path.read_bytes(), whole[path.name])

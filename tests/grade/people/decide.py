@@ -12,7 +12,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
 
 from grade import exercises  # noqa: E402 - found from there on
-from grade.people.class_list import ClassList, marked_class  # noqa: E402
+from grade.people.matching import ClassList, marked_class  # noqa: E402
 from grade.people.ledger import KINDS, add_decision  # noqa: E402
 from grade.people.roster import Roster  # noqa: E402
 from grade.people.sheets import SheetError  # noqa: E402

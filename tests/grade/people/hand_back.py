@@ -27,10 +27,9 @@ sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is f
 from grade import exercises  # noqa: E402 - found from there on
 from grade.collect.names import decoded  # noqa: E402
 from grade.collect.platforms import CANVAS, MOODLE, Claim  # noqa: E402
-from grade.people.class_list import class_of  # noqa: E402
 from grade.people.history import members  # noqa: E402
 from grade.people.ledger import Ledger, read_ledger  # noqa: E402
-from grade.people.matching import Finder  # noqa: E402
+from grade.people.matching import Finder, class_of  # noqa: E402
 from grade.people.roster import Roster  # noqa: E402
 from grade.people.sheets import Sheet, SheetError  # noqa: E402
 from grade.policy import rounded  # noqa: E402

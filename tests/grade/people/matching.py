@@ -1,4 +1,5 @@
-"""matching.py - whose each submission is, by the list of the class. Nothing is guessed.
+"""matching.py - the class: its submissions, whose each is by the list of the class, and people as an instructor names them.
+Nothing is guessed.
 
 A platform's own number decides, then an id, a login, an address, at last a name; each must be exactly one person's. So
 somebody who was renamed is found by the number, and two people of one name are told apart or both left alone.
@@ -11,14 +12,17 @@ import difflib
 import re
 import unicodedata
 from collections import defaultdict
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from pathlib import Path
 
-from grade.collect import names
+from grade.collect import names, submissions
 from grade.collect.archives import SUFFIXES
 from grade.collect.platforms import Claim
 from grade.collect.submissions import Submission
 from grade.visible import brief, spelled
-from .roster import Roster
+from .history import members
+from .roster import Person, Roster
+from .sheets import SheetError
 
 NEAREST = 3     # that are named
 
@@ -129,6 +133,41 @@ def are_people(roster: Roster):
     return lambda raws: len(raws) > 1 and all(len(finder.by_text(names.decoded(raw))) == 1 for raw in raws)
 
 
-def chosen(words: str, people: list) -> list:
-    """Those whom a word that a person has typed fits: an id, a login, an address, a name."""
-    return Finder(people).by_text(words) if people else []
+# ---- the class ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ClassList:
+    found: list     # submissions; with a list of the class, one for each person on it, then those of nobody on it
+    others: list    # names of what is no submission
+    people: list    # as decisions and ONLY name them
+
+    def keys(self, words: str) -> list:
+        """Of those whom words fit that somebody has typed: an id, a login, an address, a name."""
+        return [person.key for person in Finder(self.people).by_text(words)]
+
+    def fits(self, words: str) -> str:
+        """What is said of words that do not fit exactly one person."""
+        finder = Finder(self.people)
+        return fits(finder, finder.by_text(words), (Claim(name=words),), "of the class")
+
+
+def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassList:
+    """SheetError, if the list cannot be read."""
+    if list_of_class is None:
+        found, others = submissions.find(directory, stems)
+        return ClassList(found, others, [Person(one.name, id=one.folder) for one in found])
+    roster = Roster(list_of_class)
+    found, others = submissions.find(directory, stems, are_people(roster))
+    found, more = assigned(found, roster)
+    given = [one for one in found if one.parts]
+    if len(given) > 1 and not any(one.person for one in given):
+        raise SheetError(f"{list_of_class}:1: this list fits none of {len(given)} submissions, expected that of this class, with "
+                         f"headings such as name, id, login, mail: it has {brief(', '.join(roster.sheet.heading()))}")
+    return ClassList(found, others + more, roster.people + [Person(one.name, id=one.folder) for one in found if not one.person])
+
+
+def marked_class(out: Path) -> ClassList:
+    """The class whose marks are in OUT, as it was when its reports were written last."""
+    return ClassList([], [], [Person(**{"name": one["submission"], "id": folder, **one["person"]})
+                              for folder, one in members(out).items()])
