@@ -19,7 +19,7 @@ from grade.people.matching import class_of  # noqa: E402
 from grade.people.history import members, remember  # noqa: E402
 from grade.people.ledger import check_marks, read_ledger, stem_named  # noqa: E402
 from grade.people.sheets import SheetError  # noqa: E402
-from grade.policy import PolicyError, came_in, names_in_times  # noqa: E402
+from grade.policy import came_in, names_in_times  # noqa: E402
 from grade.report import files, text  # noqa: E402
 from grade.report.record import FAILED, NOTHING  # noqa: E402
 from grade.settings import arguments, remember as remember_settings, remembered, stop  # noqa: E402
@@ -91,7 +91,7 @@ def grade() -> int:
         class_list = class_of(given.submissions, given.roster, grader.stems)
         grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys, class_list.fits)
         check_marks(given.ledger, grader.ledger, grader.points_of())
-    except (PolicyError, SheetError) as error:
+    except SheetError as error:
         stop(str(error))
     mention(class_list.found, class_list.others, grader.stems, given.submissions)
     mention_times(grader.policy, class_list.found)

@@ -5,7 +5,6 @@ the same everywhere. The file 'policy' beside this one says what can be set.
 """
 from __future__ import annotations
 
-import csv
 import re
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta, timezone
@@ -15,6 +14,7 @@ from pathlib import Path
 from typing import Optional
 
 from grade import exercises as table
+from grade.people.sheets import Sheet, SheetError
 from grade.visible import brief, number, why
 
 DEFAULT = Path(__file__).resolve().parent / "policy"
@@ -22,12 +22,13 @@ NUMBER = re.compile(r"\d{1,5}(\.\d{1,2})?", re.ASCII)
 TIME = re.compile(r"(\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d)(?::(\d\d))?(Z|[+-]\d\d:\d\d)?", re.ASCII)
 LATE = re.compile(r"(\S+)% per (day|hour), at most (\S+)%")
 A_TIME = "a time such as 2025-11-14T23:59+01:00"
+OWN_TABLE = ("submission", "time")
 WORKSHEET = ("Identifier", "Last modified (submission)")    # Moodle's, in English
 MOODLE_S = ("%A, %d %B %Y, %I:%M %p", "%A, %B %d, %Y, %I:%M %p", "%A, %d %B %Y, %H:%M")
 SECONDS = {"day": 86400, "hour": 3600}
 
 
-class PolicyError(ValueError):
+class PolicyError(SheetError):
     """FILE:LINE: what is wrong, expected what."""
 
 
@@ -87,34 +88,22 @@ def moodle_s(text: str) -> Optional[datetime]:
 
 
 def times_in(path: Path) -> dict:
-    """When each submission came in, as a file says: one's own, or Moodle's grading worksheet."""
-    times = {}
-    try:
-        with open(path, encoding="utf-8-sig", newline="") as file:
-            rows = csv.reader(file, strict=True)
-            heads = [cell.strip() for cell in next(rows, [])]
-            pair = next((pair for pair in (("submission", "time"), WORKSHEET) if set(pair) <= set(heads)), None)
-            if pair is None:
-                raise PolicyError(f"{path}:1: not the first line, expected 'submission,time', or Moodle's grading worksheet")
-            who_at, when_at = map(heads.index, pair)
-            for row in rows:
-                if not row:
-                    continue
-                where = f"{path}:{rows.line_num}"
-                if len(row) != len(heads):
-                    raise PolicyError(f"{where}: {len(row)} cells, expected {len(heads)}: {brief(', '.join(heads))}")
-                who, when = row[who_at], row[when_at].strip()
-                if pair == WORKSHEET and when in ("", "-"):
-                    continue    # nothing handed in
-                if who in times:
-                    raise PolicyError(f"{where}: {brief(who)} is here twice, "
-                                      "expected once")
-                try:
-                    times[who] = int((moodle_s(when) or time_in(when)).timestamp())
-                except PolicyError as error:
-                    raise PolicyError(f"{where}: {error}") from None
-    except (OSError, UnicodeError, csv.Error) as error:
-        raise PolicyError(f"{path}: cannot be read: {why(error)}, expected a CSV file") from None
+    """When each submission came in, as a table says: one's own, or Moodle's grading worksheet."""
+    times: dict = {}
+    sheet = Sheet(path)
+    pair = next((pair for pair in (OWN_TABLE, WORKSHEET) if None not in map(sheet.column, pair)), None)
+    if pair is None:
+        raise SheetError(f"{path}:1: not the first line, expected 'submission,time', or Moodle's grading worksheet")
+    for row in sheet.rows[1:]:
+        who, when = (sheet.cell(row, sheet.column(name)) for name in pair)
+        if pair == WORKSHEET and when in ("", "-"):
+            continue    # nothing handed in
+        try:
+            if who in times:
+                raise PolicyError(f"{brief(who)} is here twice, expected once")
+            times[who] = int((moodle_s(when) or time_in(when)).timestamp())
+        except PolicyError as error:
+            raise PolicyError(f"{path}:{row.line}: {error}") from None
     return times
 
 
@@ -208,7 +197,7 @@ def load(path, known: list) -> Policy:
                 line_into(policy, words, known, weights, path.parent)
                 given.add(words[0])
                 at[words[1] if len(words) > 1 else ""] = place
-        except PolicyError as error:
+        except SheetError as error:
             # A mistake in another file is reported with the line of that file.
             raise PolicyError(f"{path}:{place}: {error}") from None
     try:

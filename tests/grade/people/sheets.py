@@ -68,7 +68,7 @@ class Sheet:
         self.separator = max(",\t;", key=first.count)
         self.rows = list(self._rows(text))
         if not self.rows:
-            raise SheetError(f"{path}: empty, expected a table (CSV)")
+            raise SheetError(f"{path}:1: empty, expected a table (CSV)")
         self.quotes_all = all(cell.startswith('"') for cell in self.rows[0].written)
 
     def _rows(self, text: str):
