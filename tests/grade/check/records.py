@@ -4,8 +4,6 @@ the same way; and one in which every string that quotes a student is an attack.
 import functools
 import os
 import random
-import struct
-import zlib
 
 from grade.exercises import read
 
@@ -29,23 +27,6 @@ def record(name, stems, status="graded", **more) -> dict:
             "seed": 123456, "sandbox": "bubblewrap, Landlock, seccomp", "unsafe": False, "seconds": 0.41,
             "pictures": {}, "stems": stems, "computed": sum(one["score"] for one in stems), "penalty": 0, "adjusted": 0,
             "decided": [], "person": {}, "unlisted": "", "key": "", "files": "", "when": None, **more}
-
-
-def png(columns, rows, shade) -> bytes:
-    """A small picture: shade(x, y) gives three bytes, x and y from -1 to 1."""
-    lines = b"".join(b"\0" + b"".join(bytes(shade(2 * (x + 0.5) / columns - 1, 2 * (y + 0.5) / rows - 1))
-                                      for x in range(columns)) for y in range(rows))
-    chunks = ((b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(struct.pack(">I", len(data)) + kind + data
-                                            + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in chunks)
-
-
-def ball(radius: float) -> bytes:
-    def shade(x, y):
-        depth = radius * radius - x * x - y * y
-        return (0, 0, 0) if depth < 0 else (int(250 * depth**0.5 / radius), int(120 * radius), 90)
-
-    return png(96, 72, shade)
 
 
 # ---- hostile ------------------------------------------------------------------------------------

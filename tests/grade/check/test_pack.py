@@ -1,4 +1,4 @@
-"""test_pack.py - 'make submission' (tests/course/pack_submission.py), and the copies of the tree that are handed in."""
+"""test_pack.py - 'make submission' (tests/course/pack_submission.py)."""
 import os
 import shutil
 import subprocess
@@ -10,7 +10,6 @@ from grade.collect import submissions
 from .fixtures import Scratch
 
 STEMS = sorted(path.stem for path in Path("solutions").glob("*.c"))
-TREE = (".make", "common", "chapters", "exercises", "solutions", "tests")
 
 
 class Packing(Scratch):
@@ -97,28 +96,3 @@ class Packing(Scratch):
         self.assertEqual([(answer.state, answer.text) for answer in collected.answers.values()],
                          [("found", Path("solutions", f"{stem}.c").read_bytes()) for stem in STEMS])
         self.assertEqual(collected.words, "")
-
-
-def but_sources(folder: str, names: list) -> list:
-    """The pictures and the data take long to pack, and are nobody's answers."""
-    return [name for name in names if Path(folder, name).is_file() and Path(name).suffix not in (".c", ".h", ".md")]
-
-
-class WholeToolkit(Scratch):
-    def test_zipped_or_not_its_exercises_are_the_answers(self):
-        copy = self.room / "anna"
-        for name in TREE:
-            shutil.copytree(name, copy / name, ignore=but_sources)
-        shutil.copytree("build/blanks", copy / "build" / "blanks")
-        for stem in STEMS:
-            (copy / "exercises" / f"{stem}.c").write_text(f"int in_{stem[:2]};\n")
-        for kind in ("zip", "gztar"):
-            shutil.make_archive(str(self.room / "archive"), kind, self.room, "anna")
-        found, _ = submissions.find(self.room)
-        self.assertEqual(len(found), 3)
-        for submission in found:
-            collected = submissions.collect(submission, STEMS)
-            self.assertEqual([answer.text for answer in collected.answers.values()],
-                             [f"int in_{stem[:2]};\n".encode() for stem in STEMS], submission)
-            self.assertEqual([collected.words, *(answer.words for answer in collected.answers.values())],
-                             [""] * (1 + len(STEMS)))

@@ -24,10 +24,11 @@ from grade.report.record import clean
 from grade.report.text import closing
 from grade.visible import number, visible
 from .fixtures import Page, Sentences
-from .records import GIVEN, HOSTILE, MISTAKE, ball, function, hostile_class, hostile_record, ordinary_class, record, stem
+from .records import GIVEN, HOSTILE, MISTAKE, function, hostile_class, hostile_record, ordinary_class, record, stem
 
 PACKAGES = Path(__file__).resolve().parents[2]
 HOSTILES, ORDINARY = hostile_class(), ordinary_class()
+PICTURES = {name: b"\x89PNG\r\n\x1a\n" + name.encode() for name in ("expected", "yours")}
 POINTS = 10  # of each hostile record: four stems that were not judged, six functions
 
 
@@ -238,18 +239,18 @@ class ReportPages(Sentences):
 
     def test_pictures(self):
         one = record("a", [], pictures={"expected": "expected.png", "yours": "yours.png"})
-        (self.work / "expected.png").write_bytes(ball(0.8))
+        (self.work / "expected.png").write_bytes(PICTURES["expected"])
         yours = self.work / "yours.png"
 
         def sources():
             return [url for key, url in Page(submission_page(one, str(self.work))).urls if key == "src"]
 
         self.check("without a picture there is none", sources() == [])
-        yours.write_bytes(ball(0.4))
+        yours.write_bytes(PICTURES["yours"])
         self.check("pictures are in the page, expected beside yours", sources()
-                   == ["data:image/png;base64," + base64.b64encode(png).decode() for png in (ball(0.8), ball(0.4))])
+                   == ["data:image/png;base64," + base64.b64encode(png).decode() for png in PICTURES.values()])
         secret = self.work / "secret.png"
-        secret.write_bytes(ball(0.4))
+        secret.write_bytes(PICTURES["yours"])
         for what, put in (("no PNG", lambda: yours.write_bytes(b"<svg onload='alert(1)'>")),
                           ("a link", lambda: yours.symlink_to(secret)), ("a pipe", lambda: os.mkfifo(yours))):
             yours.unlink()
