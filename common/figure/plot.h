@@ -210,18 +210,21 @@ typedef struct {
     vec3 way[2];   // of a point or vector, if its handle goes elsewhere than it does
     double least[2], most[2]; // of the numbers; both 0: any
     bool whole;               // whole numbers only
+    bool typed; // it has no place and cannot be dragged: its numbers can only be typed
+    int panel;  // plot_handle knows it
 } Handle;
 void plot_handle(Plot *plot, Handle handle);
 
-// Of a point that is dragged in these two directions; of a length from 0.01 to 1000, along this
-// one.
+// Of a point that is dragged in these two directions; of a vector from there; of a pixel, from one
+// to the next in its row and its column; of a length from 0.01 to 1000, along this way.
 void plot_handle_point(Plot *plot, const char *words, const char *option, vec3 point, vec3 across,
                        vec3 up);
+void plot_handle_vector(Plot *plot, const char *words, const char *option, vec3 from, vec3 vector,
+                        vec3 across, vec3 up);
+void plot_handle_pixel(Plot *plot, vec3 place, Pixel pixel, Resolution size, vec3 across,
+                       vec3 down);
 void plot_handle_length(Plot *plot, const char *words, const char *option, double length,
                         vec3 place, vec3 along);
-
-// A number that cannot be dragged, but typed: how its option has it now.
-void plot_typed(Plot *plot, const char *words, const char *option, const char *value);
 
 // ---- a chapter's figures (plot_script.c) ------------------------------------------------------
 

@@ -8,57 +8,14 @@
 #include "common/text.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum { MOST_HANDLES = 12, NUMBERS = 3, POINT = 3, FEW = 4 };
-
-typedef struct {
-    Handle handle;
-    int panel;
-} Placed;
-
-typedef struct {
-    char *words, *option, *value;
-} Typed;
-
-struct PlotHandles {
-    Placed handles[MOST_HANDLES];
-    Typed typed[MOST_HANDLES];
-    int count, typed_count;
-};
-
-PlotHandles *plot_handles_new(void)
-{
-    PlotHandles *handles = calloc(1, sizeof *handles);
-    if (handles == NULL)
-        abort();
-    return handles;
-}
-
-static char *copy_of(const char *text)
-{
-    char *copy = text != NULL ? strdup(text) : NULL;
-    if (text != NULL && copy == NULL)
-        abort();
-    return copy;
-}
-
-void plot_handles_free(PlotHandles *handles)
-{
-    for (int i = 0; i < handles->typed_count; i++) {
-        free(handles->typed[i].words);
-        free(handles->typed[i].option);
-        free(handles->typed[i].value);
-    }
-    free(handles);
-}
+enum { NUMBERS = 3, POINT = 3, FEW = 4 };
 
 void plot_handle(Plot *plot, Handle handle)
 {
-    PlotHandles *handles = plot->handles;
-    if (handles->count < MOST_HANDLES)
-        handles->handles[handles->count++] = (Placed){handle, plot_view_panel(plot)};
+    handle.panel = plot_view_panel(plot);
+    if (plot->handle_count < MOST_HANDLES)
+        plot->handles[plot->handle_count++] = handle;
 }
 
 void plot_handle_point(Plot *plot, const char *words, const char *option, vec3 point, vec3 across,
@@ -67,20 +24,31 @@ void plot_handle_point(Plot *plot, const char *words, const char *option, vec3 p
     plot_handle(plot, (Handle){words, point, {option}, POINT, point, .along = {across, up}});
 }
 
+void plot_handle_vector(Plot *plot, const char *words, const char *option, vec3 from, vec3 vector,
+                        vec3 across, vec3 up)
+{
+    plot_handle(plot,
+                (Handle){words, from + vector, {option}, POINT, vector, .along = {across, up}});
+}
+
+void plot_handle_pixel(Plot *plot, vec3 place, Pixel pixel, Resolution size, vec3 across, vec3 down)
+{
+    plot_handle(plot, (Handle){.words = "the pixel",
+                               .place = place,
+                               .option = {"pixel"},
+                               .count = 2,
+                               .value = vec3_of(pixel.column, pixel.row, 0),
+                               .along = {across, down},
+                               .most = {size.width - 1, size.height - 1},
+                               .whole = true});
+}
+
 void plot_handle_length(Plot *plot, const char *words, const char *option, double length,
                         vec3 place, vec3 along)
 {
     vec3 value = vec3_of(length, 0, 0);
     plot_handle(
         plot, (Handle){words, place, {option}, 1, value, {along}, .least = {0.01}, .most = {1000}});
-}
-
-void plot_typed(Plot *plot, const char *words, const char *option, const char *value)
-{
-    PlotHandles *handles = plot->handles;
-    if (handles->typed_count < MOST_HANDLES)
-        handles->typed[handles->typed_count++] =
-            (Typed){copy_of(words), copy_of(option), copy_of(value)};
 }
 
 bool plot_is_dragged(const Plot *plot)
@@ -109,36 +77,32 @@ static void print_options(FILE *out, const Handle *handle, vec3 value)
     putc('"', out);
 }
 
-static void print_handle(const Plot *plot, const Placed *placed, FILE *out)
+// Those that are dragged, or those that are typed.
+static void print_handles(const Plot *plot, bool typed, FILE *out)
 {
+    const char *before = "\n";
     double uv[2];
-    fputs("{\"words\": ", out);
-    json_print_string(out, placed->handle.words);
-    if (plot_view_spot(plot, placed->panel, placed->handle.place, uv))
-        fprintf(out, ", \"u\": %.2f, \"v\": %.2f", uv[0], uv[1]);
-    fputs(", \"options\": {", out);
-    print_options(out, &placed->handle, placed->handle.value);
-    fputs("}}", out);
+    for (const Handle *handle = plot->handles; handle < plot->handles + plot->handle_count;
+         handle++) {
+        if (handle->typed != typed)
+            continue;
+        fprintf(out, "%s{\"words\": ", before);
+        before = ",\n";
+        json_print_string(out, handle->words);
+        if (!typed && plot_view_spot(plot, handle->panel, handle->place, uv))
+            fprintf(out, ", \"u\": %.2f, \"v\": %.2f", uv[0], uv[1]);
+        fputs(", \"options\": {", out);
+        print_options(out, handle, handle->value);
+        fputs("}}", out);
+    }
 }
 
 void plot_handles_print(const Plot *plot, FILE *out)
 {
-    const PlotHandles *handles = plot->handles;
     fputs("{\"handles\": [", out);
-    for (int i = 0; i < handles->count; i++) {
-        fputs(i > 0 ? ",\n" : "\n", out);
-        print_handle(plot, &handles->handles[i], out);
-    }
+    print_handles(plot, false, out);
     fputs("],\n\"typed\": [", out);
-    for (int i = 0; i < handles->typed_count; i++) {
-        fputs(i > 0 ? ",\n{\"words\": " : "\n{\"words\": ", out);
-        json_print_string(out, handles->typed[i].words);
-        fputs(", \"options\": {", out);
-        json_print_string(out, handles->typed[i].option);
-        fputs(": ", out);
-        json_print_string(out, handles->typed[i].value);
-        fputs("}}", out);
-    }
+    print_handles(plot, true, out);
     fputs("],\n\"view\": \"", out);
     plot_view_print(plot, out);
     fputs("\"}\n", out);
@@ -180,16 +144,15 @@ static void solve(const double a[2], const double b[2], const double by[2], doub
     }
 }
 
-static vec3 dragged_to(const Plot *plot, const Placed *placed, double u, double v)
+static vec3 dragged_to(const Plot *plot, const Handle *handle, double u, double v)
 {
-    const Handle *handle = &placed->handle;
     double at[2], along[2][2], go[2];
     vec3 value = handle->value;
-    if (!plot_view_spot(plot, placed->panel, handle->place, at))
+    if (!plot_view_spot(plot, handle->panel, handle->place, at))
         return value;
     for (int i = 0; i < 2; i++) {
         bool elsewhere = vec3_length(handle->way[0]) > 0;
-        plot_view_way(plot, placed->panel, elsewhere ? handle->way[i] : handle->along[i], along[i]);
+        plot_view_way(plot, handle->panel, elsewhere ? handle->way[i] : handle->along[i], along[i]);
     }
     solve(along[0], along[1], (const double[]){u - at[0], v - at[1]}, go);
     if (handle->count == POINT)
@@ -210,21 +173,22 @@ static vec3 dragged_to(const Plot *plot, const Placed *placed, double u, double 
 
 bool plot_handles_drag(const Plot *plot, const char *drag, FILE *out)
 {
-    int number, used = 0;
+    int number, used = 0, count = 0;
     double u, v;
+    while (count < plot->handle_count && !plot->handles[count].typed)
+        count++;
     if (sscanf(drag, "%d,%lf,%lf%n", &number, &u, &v, &used) != 3 || drag[used] != '\0' ||
-        number < 0 || number >= plot->handles->count) {
+        number < 0 || number >= count) {
         fprintf(stderr,
                 "--drag %s: expected HANDLE,U,V: a handle's number, below %d, and a place\n",
-                word_text(drag).s, plot->handles->count);
+                word_text(drag).s, count);
         return false;
     }
     // All options, because a figure may choose numbers that go together.
-    for (int i = 0; i < plot->handles->count; i++) {
-        const Placed *placed = &plot->handles->handles[i];
+    for (int i = 0; i < count; i++) {
+        const Handle *handle = &plot->handles[i];
         fputs(i == 0 ? "{" : ", ", out);
-        print_options(out, &placed->handle,
-                      i == number ? dragged_to(plot, placed, u, v) : placed->handle.value);
+        print_options(out, handle, i == number ? dragged_to(plot, handle, u, v) : handle->value);
     }
     fputs("}\n", out);
     return true;

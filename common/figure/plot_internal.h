@@ -7,7 +7,8 @@
 #include "common/text.h"
 
 typedef struct PlotView PlotView;
-typedef struct PlotHandles PlotHandles;
+
+enum { MOST_HANDLES = 12 };
 
 struct Plot {
     FILE *script;
@@ -19,10 +20,11 @@ struct Plot {
     char *rows_text;
     size_t rows_size;
     char block[60], columns[120];
-    char *right;    // the data by right answers; NULL if there are none
-    bool wrong;     // something differs from them
-    PlotView *view; // from where it is seen, and its labels
-    PlotHandles *handles;
+    char *right;                  // the data by right answers; NULL if there are none
+    bool wrong;                   // something differs from them
+    PlotView *view;               // from where it is seen, and its labels
+    Handle handles[MOST_HANDLES]; // those that are typed are the last
+    int handle_count;
     bool is_live;
     FILE *pictures; // where pictures go; NULL: into the script
     FILE *strip;    // the paragraphs below the canvas
@@ -99,9 +101,6 @@ bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2]);
 void plot_view_way(const Plot *plot, int panel, vec3 way, double uv[2]);
 
 // ---- what can be dragged (plot_handle.c) --------------------------------------------------------
-
-PlotHandles *plot_handles_new(void);
-void plot_handles_free(PlotHandles *handles);
 
 // As JSON: the handles and where they are, the numbers to be typed, the view.
 void plot_handles_print(const Plot *plot, FILE *out);

@@ -191,7 +191,6 @@ static bool write_figure(FILE *out, const Making *making)
                         : making->own     ? text_of_file(making->layout)
                                           : text_of_toolkit_file(making->layout);
     Plot plot = {.view = plot_view_new(),
-                 .handles = plot_handles_new(),
                  .right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
     bool read = layout_text != NULL && (right == NULL || plot.right != NULL) &&
                 prepare_page(&plot, command);
@@ -210,7 +209,6 @@ static bool write_figure(FILE *out, const Making *making)
     free(unused);
     read = read && !plot.failed;
     plot_view_free(plot.view);
-    plot_handles_free(plot.handles);
     free(plot.right);
     free(layout_text);
     free(head_text);

@@ -317,12 +317,7 @@ static void yours_and_right(Plot *plot, void *given)
     beside_words(plot, (BesideWords){vec3_shown(right).s, vec3_shown(yours).s,
                                      beside_off(c, yours - right).s, "dashed"});
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
-    plot_handle(plot, (Handle){.words = "your vector",
-                               .place = c.origin + yours,
-                               .option = {"yours"},
-                               .count = 3,
-                               .value = yours,
-                               .along = {c.right, c.up}});
+    plot_handle_vector(plot, "your vector", "yours", c.origin, yours, c.right, c.up);
     plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
     // On two lines, if one is too long.
     Text off = beside_off(c, yours - right);

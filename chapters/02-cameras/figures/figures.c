@@ -297,12 +297,7 @@ static void look_at(Plot *plot, void *given)
     plot_direction(plot, "lean", up);
     plot_look(plot, c.right, c.up, c.forward, 34, 16);
     frame_panel(plot, c, up, found);
-    plot_handle(plot, (Handle){.words = "the up that is given",
-                               .place = c.origin + up,
-                               .option = {"lean"},
-                               .count = 3,
-                               .value = up,
-                               .along = {c.forward, c.up}});
+    plot_handle_vector(plot, "the up that is given", "lean", c.origin, up, c.forward, c.up);
     angle_panel(plot, c);
 }
 

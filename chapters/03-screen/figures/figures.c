@@ -209,14 +209,7 @@ static void pixel_grid(Plot *plot, void *given)
     counted(plot, "columns", columns);
     counted(plot, "rows", rows);
     centers(plot, columns, rows);
-    plot_handle(plot, (Handle){.words = "the pixel",
-                               .place = flat(center.x, -center.y),
-                               .option = {"pixel"},
-                               .count = 2,
-                               .value = flat(pixel.column, pixel.row),
-                               .along = {flat(1, 0), flat(0, -1)},
-                               .most = {screen.width - 1, screen.height - 1},
-                               .whole = true});
+    plot_handle_pixel(plot, flat(center.x, -center.y), pixel, screen, flat(1, 0), flat(0, -1));
 }
 
 static const Figure figures[] = {

@@ -109,16 +109,9 @@ static void pixel_handle(Plot *plot, const Aim *aim, vec3 vector)
 {
     Camera c = aim->camera;
     vec3 corner = image_plane_vector(c, 0, 1);
-    plot_handle(plot,
-                (Handle){.words = "the pixel",
-                         .place = c.origin + vector,
-                         .option = {"pixel"},
-                         .count = 2,
-                         .value = vec3_of(aim->pixel.column, aim->pixel.row, 0),
-                         .along = {(image_plane_vector(c, 1, 1) - corner) / aim->screen.width,
-                                   (image_plane_vector(c, 0, 0) - corner) / aim->screen.height},
-                         .most = {aim->screen.width - 1, aim->screen.height - 1},
-                         .whole = true});
+    plot_handle_pixel(plot, c.origin + vector, aim->pixel, aim->screen,
+                      (image_plane_vector(c, 1, 1) - corner) / aim->screen.width,
+                      (image_plane_vector(c, 0, 0) - corner) / aim->screen.height);
 }
 
 static void pixel_to_ray(Plot *plot, void *given)

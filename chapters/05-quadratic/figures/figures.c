@@ -287,12 +287,8 @@ static void section_handles(Plot *plot, const Section *s, bool turns)
         plot_handle_point(plot, "p, the origin of the ray", "origin", s->ray.origin,
                           turns ? s->line : s->right, turns ? none : s->up);
     if (s->near && s->stride == 1 && !turns)
-        plot_handle(plot, (Handle){.words = "v, the direction of the ray",
-                                   .place = s->ray.origin + v,
-                                   .option = {"direction"},
-                                   .count = 3,
-                                   .value = v,
-                                   .along = {s->right, s->up}});
+        plot_handle_vector(plot, "v, the direction of the ray", "direction", s->ray.origin, v,
+                           s->right, s->up);
     plot_handle_point(plot, "C, the center of the sphere", "center", s->sphere.center, s->right,
                       s->up);
     vec3 rim = (s->line - s->off) / sqrt(2);

@@ -438,30 +438,18 @@ static void pixel_handle(Plot *plot, const Shown *shown)
 {
     Camera c = shown->camera;
     Resolution size = shown->shot.size;
-    Pixel pixel = shown->shot.pixel;
     vec3 corner = image_plane_vector(c, 0, 1);
     vec3 across = (image_plane_vector(c, 1, 1) - corner) / size.width;
     vec3 down = (image_plane_vector(c, 0, 0) - corner) / size.height;
-    ScreenPoint middle = pixel_center(pixel);
-    plot_handle(plot, (Handle){.words = "the pixel",
-                               .place = c.origin + corner + middle.x * across + middle.y * down,
-                               .option = {"pixel"},
-                               .count = 2,
-                               .value = vec3_of(pixel.column, pixel.row, 0),
-                               .along = {across, down},
-                               .most = {size.width - 1, size.height - 1},
-                               .whole = true});
+    ScreenPoint middle = pixel_center(shown->shot.pixel);
+    plot_handle_pixel(plot, c.origin + corner + middle.x * across + middle.y * down,
+                      shown->shot.pixel, size, across, down);
 }
 
 Handle shown_sphere(const Shown *shown, vec3 across, vec3 up)
 {
     vec3 center = shown->shot.scene->spheres[0].center;
-    return (Handle){.words = "the center of sphere A",
-                    .place = center,
-                    .option = {"center"},
-                    .count = 3,
-                    .value = center,
-                    .along = {across, up}};
+    return (Handle){"the center of sphere A", center, {"center"}, 3, center, .along = {across, up}};
 }
 
 void shown_data(Plot *plot, const Shown *shown)

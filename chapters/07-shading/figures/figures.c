@@ -172,20 +172,26 @@ static void side_by_side(Plot *plot, Resolution size)
 static void light_handles(Plot *plot, const Drawing *drawing, Resolution size)
 {
     const Scene *scene = &drawing->scene;
-    plot_typed(plot, "ambient light", "ambient", number_text(scene->ambient[0]).s);
-    if (scene->light_count == 0)
-        return;
-    vec3 sun = scene->lights[0].position, right = drawing->camera.right, up = drawing->camera.up;
-    double reach = 0.45 * fmin(size.width, size.height) / vec3_length(sun);
-    plot_panel(plot, 2);
-    plot_handle(plot, (Handle){.words = "the light",
-                               .place = vec3_of(size.width / 2.0 + reach * vec3_dot(sun, right),
-                                                size.height / 2.0 + reach * vec3_dot(sun, up), 0),
-                               .option = {"sun"},
-                               .count = 3,
-                               .value = sun,
-                               .along = {right, up},
-                               .way = {vec3_of(reach, 0, 0), vec3_of(0, reach, 0)}});
+    if (scene->light_count > 0) {
+        vec3 sun = scene->lights[0].position, right = drawing->camera.right;
+        vec3 up = drawing->camera.up;
+        double reach = 0.45 * fmin(size.width, size.height) / vec3_length(sun);
+        plot_panel(plot, 2);
+        plot_handle(plot,
+                    (Handle){.words = "the light",
+                             .place = vec3_of(size.width / 2.0 + reach * vec3_dot(sun, right),
+                                              size.height / 2.0 + reach * vec3_dot(sun, up), 0),
+                             .option = {"sun"},
+                             .count = 3,
+                             .value = sun,
+                             .along = {right, up},
+                             .way = {vec3_of(reach, 0, 0), vec3_of(0, reach, 0)}});
+    }
+    plot_handle(plot, (Handle){.words = "ambient light",
+                               .option = {"ambient"},
+                               .count = 1,
+                               .value = scene->ambient,
+                               .typed = true});
 }
 
 static void flat_and_shaded(Plot *plot, void *given)

@@ -99,14 +99,8 @@ static void handles(Plot *plot, const View *view)
                                .value = view->sphere.center,
                                .along = {view->camera.forward, view->camera.right},
                                .way = {vec3_of(1, 0, 0), vec3_of(0, -1, 0)}});
-    plot_handle(plot, (Handle){.words = "r, the radius of the sphere",
-                               .place = center_of(view) + vec3_of(view->sphere.radius, 0, 0),
-                               .option = {"radius"},
-                               .count = 1,
-                               .value = vec3_of(view->sphere.radius, 0, 0),
-                               .along = {vec3_of(1, 0, 0)},
-                               .least = {0.01},
-                               .most = {1000}});
+    plot_handle_length(plot, "r, the radius of the sphere", "radius", view->sphere.radius,
+                       center_of(view) + vec3_of(view->sphere.radius, 0, 0), vec3_of(1, 0, 0));
 }
 
 static void names(Plot *plot, const View *view, bool is_nothing)
