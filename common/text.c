@@ -49,6 +49,16 @@ Text pair_text(double x, double y)
     return text;
 }
 
+Text text_of(const char *format, ...)
+{
+    Text text;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text.s, sizeof text.s, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
 Text duration_text(double seconds)
 {
     enum { DIGITS = 3, MINUTE = 60, HOUR = 3600 };

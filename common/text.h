@@ -29,6 +29,9 @@ Text vec3_text_to(vec3 v, int digits);
 // (0.5, 0.25)
 Text pair_text(double x, double y);
 
+// As printf prints it, cut short if it is too long.
+Text text_of(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 // A time in words: 0.0123 ms, 2.34 s, 37.2 s, 3 min 39 s, 2 h 5 min.
 Text duration_text(double seconds);
 

@@ -97,7 +97,7 @@ int main(int argc, char **argv)
     view.s = isnan(view.s) ? (drawn ? example_place().s : 0) : view.s;
     view.t = isnan(view.t) ? (drawn ? example_place().t : 1) : view.t;
     if (drawn)
-        return corners_figure(argv[0], figure, &view);
+        return plot_figure(argv[0], "chapters/01-corners", corner_figures, figure, &view);
     if (picture != NULL)
         return picture_write(picture, picture_shaped(c.width, c.height, PICTURE), color_of_vector,
                              &c);

@@ -264,7 +264,8 @@ int main(int argc, char **argv)
     }
     story_needs_camera(argv[0], c);
     if (figure.name != NULL)
-        return cameras_figure(argv[0], figure, c, up, lean);
+        return plot_figure(argv[0], "chapters/02-cameras", camera_figures, figure,
+                           &(Given){c, up, lean});
 
     printf("02-cameras: one camera, given in five ways\n");
     if (given(at)) {

@@ -98,7 +98,8 @@ int main(int argc, char **argv)
         options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
                       pixel.row, screen.width, screen.height);
     if (figure.name != NULL)
-        return screen_figure(argv[0], figure, &(Spot){screen, {point[0], point[1]}, pixel});
+        return plot_figure(argv[0], "chapters/03-screen", screen_figures, figure,
+                           &(Spot){screen, {point[0], point[1]}, pixel});
     if (picture != NULL)
         return picture_write(picture, screen, color_of_place, &screen);
     show_places(point[0], point[1], pixel, screen);

@@ -13,19 +13,14 @@
 
 #include <stdio.h>
 
-typedef struct {
-    Camera camera;
-    Resolution screen;
-} View;
-
-static void follow(View view, Pixel pixel)
+static void follow(Aim view)
 {
-    ScreenPoint point = pixel_center(pixel);
+    ScreenPoint point = pixel_center(view.pixel);
     Normalized place = screen_to_normalized(point, view.screen);
-    Ray ray = pixel_ray(view.camera, view.screen, pixel);
+    Ray ray = pixel_ray(view.camera, view.screen, view.pixel);
     story_heading("From the pixel to its ray, on %d x %d pixels", view.screen.width,
                   view.screen.height);
-    story_line("pixel (column, row)", "(%d, %d)", pixel.column, pixel.row);
+    story_line("pixel (column, row)", "(%d, %d)", view.pixel.column, view.pixel.row);
     story_line("its center (x, y)", "%s", pair_text(point.x, point.y).s);
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
     story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, view.camera).direction).s);
@@ -46,19 +41,18 @@ static void points_on(Ray ray)
 
 static Color color_of_direction(Pixel pixel, void *given)
 {
-    const View *view = given;
+    const Aim *view = given;
     vec3 direction = vec3_unit(pixel_ray(view->camera, view->screen, pixel).direction);
     return (direction + vec3_of(1, 1, 1)) / 2;
 }
 
 int main(int argc, char **argv)
 {
-    View view = {example_camera(), {0, 0}};
-    Pixel pixel = {-1, -1};
+    Aim view = {example_camera(), {0, 0}, {-1, -1}};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        {"pixel", 'p', "COLUMN,ROW", option_pixel, &pixel,
+        {"pixel", 'p', "COLUMN,ROW", option_pixel, &view.pixel,
          "the pixel (the lecture's; of another size the middle one)"},
         {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen,
          "size of the screen (the lecture's)"},
@@ -75,20 +69,21 @@ int main(int argc, char **argv)
     if (view.screen.width == 0)
         view.screen = picture == NULL ? screen : example_small_screen();
     bool same = view.screen.width == screen.width && view.screen.height == screen.height;
-    if (pixel.column < 0)
-        pixel = same ? example_pixel() : (Pixel){view.screen.width / 2, view.screen.height / 2};
-    if (pixel.column >= view.screen.width || pixel.row >= view.screen.height)
-        options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
-                      pixel.row, view.screen.width, view.screen.height);
+    if (view.pixel.column < 0)
+        view.pixel =
+            same ? example_pixel() : (Pixel){view.screen.width / 2, view.screen.height / 2};
+    if (view.pixel.column >= view.screen.width || view.pixel.row >= view.screen.height)
+        options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", view.pixel.column,
+                      view.pixel.row, view.screen.width, view.screen.height);
     if (figure.name != NULL)
-        return pixel_ray_figure(argv[0], figure, &(Aim){view.camera, view.screen, pixel});
+        return plot_figure(argv[0], "chapters/04-pixel-ray", pixel_ray_figures, figure, &view);
     if (picture != NULL)
         return picture_write(picture, view.screen, color_of_direction, &view);
 
     printf("04-pixel-ray: the ray of a pixel\n");
     story_heading("The camera");
     story_camera(view.camera);
-    follow(view, pixel);
-    points_on(pixel_ray(view.camera, view.screen, pixel));
+    follow(view);
+    points_on(pixel_ray(view.camera, view.screen, view.pixel));
     return story_end();
 }

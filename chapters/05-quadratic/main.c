@@ -236,7 +236,7 @@ int main(int argc, char **argv)
     if (vec3_dot(given.ray.direction, given.ray.direction) == 0)
         options_wrong(argv[0], "--direction: expected a length other than 0");
     if (figure.name != NULL)
-        return quadratic_figure(argv[0], figure, &given);
+        return plot_figure(argv[0], "chapters/05-quadratic", quadratic_figures, figure, &given);
     if (picture != NULL) {
         Resolution screen = picture_shaped(example_camera().width, example_camera().height, 480);
         return picture_write(picture, screen, color_of_depth, &screen);

@@ -150,7 +150,8 @@ int main(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     if (figure.name != NULL)
-        return shading_figure(figure, &drawing, plane);
+        return plot_figure(argv[0], "chapters/07-shading", shading_figures, figure,
+                           &(Given){drawing, plane});
     if (format != EXPORT_NONE)
         return write_export(&drawing, format, lighting.style, flat);
     if (pixel.column >= drawing.image.size.width || pixel.row >= drawing.image.size.height)

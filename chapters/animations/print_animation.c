@@ -168,12 +168,10 @@ static void object_order_moments(Plot *plot, void *given)
     order_of_spheres(plot, shown, &sets);
     pixels_of_spheres(plot, shown, &sets);
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
-        char outline[30], lines[30], heads[30];
-        snprintf(outline, sizeof outline, "outline%d", i);
-        snprintf(lines, sizeof lines, "lines%d", i);
-        snprintf(heads, sizeof heads, "heads%d", i);
-        outline_on_plane(plot, outline, shown->camera, shown->shot.scene->spheres[i]);
-        lines_to_eye(plot, lines, heads, shown->camera, shown->shot.scene->spheres[i], true);
+        Sphere sphere = shown->shot.scene->spheres[i];
+        outline_on_plane(plot, text_of("outline%d", i).s, shown->camera, sphere);
+        lines_to_eye(plot, text_of("lines%d", i).s, text_of("heads%d", i).s, shown->camera, sphere,
+                     true);
     }
 }
 
@@ -242,13 +240,13 @@ static void data(Plot *plot, void *given)
 
 static int print(const Figure *animation, void *given)
 {
-    char layout[200], *script = NULL;
+    char *script = NULL;
     size_t size;
-    snprintf(layout, sizeof layout, "chapters/animations/%s.gp", animation->name);
+    Text layout = text_of("chapters/animations/%s.gp", animation->name);
     FILE *out = open_memstream(&script, &size);
     if (out == NULL)
         return EXIT_COULD_NOT;
-    bool written = plot_script(out, layout, &(Figure){animation->name, data}, NULL, NULL,
+    bool written = plot_script(out, layout.s, &(Figure){animation->name, data}, NULL, NULL,
                                &(Moving){animation, given});
     fclose(out);
     int status = written ? answers_report() : EXIT_COULD_NOT;

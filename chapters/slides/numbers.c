@@ -33,28 +33,24 @@ static double degrees_across(double distance, double width)
 // What happens if d is left out, and w and h stay.
 static void put_without_dividing(Camera c)
 {
-    char text[400] = "Here $d$ is 1, so they stay.";
     double with = degrees_across(c.distance, c.width), without = degrees_across(1, c.width);
     int digits = digits_to_tell(with, without);
     Text old = number_shown_to(with, digits), new = number_shown_to(without, digits);
-    if (strcmp(old.s, new.s) != 0)
-        snprintf(text, sizeof text,
-                 "With $d = 1$ and the old $w$ and $h$ this camera would see %s degrees across, "
-                 "not %s.",
-                 new.s, old.s);
-    fill_text("without_dividing", "%s", text);
+    bool same = strcmp(old.s, new.s) == 0;
+    fill_text("without_dividing",
+              same
+                  ? "Here $d$ is 1, so they stay."
+                  : "With $d = 1$ and the old $w$ and $h$ this camera would see %s degrees across, "
+                    "not %s.",
+              new.s, old.s);
 }
 
 // Whether the length of the direction is 1.
 static void put_arrow(double a)
 {
-    char text[400];
     Text shown = number_shown_to(a, digits_to_tell(a, 1));
-    if (strcmp(shown.s, "1") == 0)
-        snprintf(text, sizeof text, "as this arrow is");
-    else
-        snprintf(text, sizeof text, "and this arrow has $a = %s$", shown.s);
-    fill_text("arrow", "%s", text);
+    bool is_one = strcmp(shown.s, "1") == 0;
+    fill_text("arrow", is_one ? "as this arrow is" : "and this arrow has $a = %s$", shown.s);
 }
 
 static void camera(Camera c)
@@ -86,9 +82,7 @@ static void camera(Camera c)
 
 static void screen_and_pixel(Camera c, Resolution screen, ScreenPoint point, Pixel pixel)
 {
-    char text[100];
-    snprintf(text, sizeof text, "%d \\times %d", screen.width, screen.height);
-    fill_text("screen", "%s", text);
+    fill_text("screen", "%d \\times %d", screen.width, screen.height);
     fill_number("W", screen.width);
     fill_number("H", screen.height);
     fill_text("point", "%s", pair_shown(point.x, point.y).s);
@@ -116,14 +110,13 @@ static void ray_and_sphere(Ray ray, Sphere sphere)
     fill_vector("ray_direction", object_ray.direction);
     fill_number("radius", sphere.radius);
     put_arrow(q.a);
-    char text[400] = "\\text{no number: the ray misses}";
-    if (roots.count == 1)
-        snprintf(text, sizeof text, "%s", number_shown_to(roots.t[0], SHOWN_DIGITS).s);
-    if (roots.count == 2)
-        snprintf(text, sizeof text, "%s \\text{ and } %s",
-                 number_shown_to(roots.t[0], SHOWN_DIGITS).s,
-                 number_shown_to(roots.t[1], SHOWN_DIGITS).s);
-    fill_text("roots", "%s", text);
+    Text first = number_shown_to(roots.t[0], SHOWN_DIGITS);
+    Text second = number_shown_to(roots.t[1], SHOWN_DIGITS);
+    fill_text("roots",
+              roots.count == 1   ? "%s"
+              : roots.count == 2 ? "%s \\text{ and } %s"
+                                 : "\\text{no number: the ray misses}",
+              first.s, second.s);
 }
 
 void fill_numbers(void)

@@ -197,20 +197,18 @@ static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
         const char *name;
         double from_s, from_t, to_s, to_t, moved_u, moved_v;
     } edges[] = {{"w", 0, 1, 1, 1, 0, GAP}, {"h", 1, 0, 1, 1, GAP, 0}};
-    char name[40];
     for (size_t i = 0; i < COUNT(edges); i++) {
-        snprintf(name, sizeof name, "%s_%s", which, edges[i].name);
         plot_moved(plot, edges[i].moved_u, edges[i].moved_v);
-        plot_edge(plot, name, c, image_plane_vector(c, edges[i].from_s, edges[i].from_t),
+        plot_edge(plot, text_of("%s_%s", which, edges[i].name).s, c,
+                  image_plane_vector(c, edges[i].from_s, edges[i].from_t),
                   image_plane_vector(c, edges[i].to_s, edges[i].to_t));
     }
-    snprintf(name, sizeof name, "%s_d", which);
     vec3 below = image_plane_vector(c, 0.5, 0), end = c.origin + down + c.distance * c.forward;
-    plot_vector(plot, name, c.origin + down, c.distance * c.forward);
+    plot_vector(plot, text_of("%s_d", which).s, c.origin + down, c.distance * c.forward);
     plot_fit(plot, c.origin + down, 0);
     plot_fit(plot, end, 0);
-    snprintf(name, sizeof name, "%s_down", which);
-    plot_block(plot, name, "x y z of a place, x y z of the way down to a dimension");
+    plot_block(plot, text_of("%s_down", which).s,
+               "x y z of a place, x y z of the way down to a dimension");
     plot_row_vector(plot, c.origin, down);
     plot_row_vector(plot, c.origin + below, end - c.origin - below);
 }
@@ -222,12 +220,10 @@ static void name_dimensions(Plot *plot, const char *which, int step, const char 
         const char *block, *color;
     } looks[] = {{"d", "pink"}, {"w", "orange"}, {"h", "green"}};
     for (size_t i = 0; i < COUNT(looks); i++) {
-        char text[60], block[40];
-        snprintf(text, sizeof text, "%s$%s$ = {%s}", i == 0 ? note : "", names[2 * i],
-                 names[2 * i + 1]);
-        snprintf(block, sizeof block, "%s_%s", which, looks[i].block);
-        plot_name(plot,
-                  (Label){text, looks[i].color, .step = step, .block = block, .part = ANYWHERE});
+        Text text = text_of("%s$%s$ = {%s}", i == 0 ? note : "", names[2 * i], names[2 * i + 1]);
+        Text block = text_of("%s_%s", which, looks[i].block);
+        plot_name(plot, (Label){text.s, looks[i].color, .step = step, .block = block.s,
+                                .part = ANYWHERE});
     }
 }
 
@@ -336,13 +332,7 @@ static void yours_and_right(Plot *plot, void *given)
         {!is_wrong && example ? "Is (0, 0) the corner or the center?" : "", "grey", .step = 3});
 }
 
-static const Figure figures[] = {
+const Figure corner_figures[] = {
     {"camera-frame", camera_frame},       {"corner-vectors", corner_vectors},
     {"point-30-10", point_30_10},         {"double-dwh", double_dwh},
     {"yours-and-right", yours_and_right}, {0}};
-
-int corners_figure(const char *program, FigureCommand command, const View *view)
-{
-    View copy = *view;
-    return plot_figure(program, "chapters/01-corners", figures, command, &copy);
-}

@@ -5,14 +5,14 @@
 #include "common/camera.h"
 #include "common/figure/plot.h"
 
-// A camera, a place on its image plane, and an answer to draw beside the right one (NaN: none).
+// What they show: a camera, a place on its image plane, and an answer to draw beside the right one
+// (NaN: none).
 typedef struct {
     Camera camera;
     double s, t;
     vec3 yours;
 } View;
 
-// Prints a figure's script. Returns the exit status for main.
-int corners_figure(const char *program, FigureCommand command, const View *view);
+extern const Figure corner_figures[];
 
 #endif

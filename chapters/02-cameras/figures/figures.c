@@ -10,11 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct {
-    Camera camera;
-    vec3 up, lean; // lean: of the figure look-at; NaN: its own
-} Given;
-
 // A camera that exercise 02 found from a form. If it was refused, the plane is one point, the eye.
 typedef struct {
     const char *form;
@@ -30,16 +25,11 @@ static Found found_from(const char *form, CameraFault fault, Camera camera, vec3
 // FORM_found_text: its d, w and h.
 static void plot_words(Plot *plot, Found found)
 {
-    char name[60];
-    Text words;
+    Text words = {"no camera"};
     if (found.fault == CAMERA_OK)
-        snprintf(words.s, sizeof words.s, "d = %.40s, w = %.40s, h = %.40s",
-                 number_shown(found.camera.distance).s, number_shown(found.camera.width).s,
-                 number_shown(found.camera.height).s);
-    else
-        snprintf(words.s, sizeof words.s, "no camera");
-    snprintf(name, sizeof name, "%s_found", found.form);
-    plot_label(plot, name, words.s);
+        words = text_of("d = %s, w = %s, h = %s", number_shown(found.camera.distance).s,
+                        number_shown(found.camera.width).s, number_shown(found.camera.height).s);
+    plot_label(plot, text_of("%s_found", found.form).s, words.s);
 }
 
 // Of the arrows of a frame that is drawn at the middle of the plane.
@@ -52,15 +42,13 @@ static double frame_length(Camera c)
 // $found1, $frame1.
 static void plot_found(Plot *plot, Found found, int form)
 {
-    char name[20];
     Camera c = found.camera;
     vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
     double length = frame_length(c);
     plot_words(plot, found);
-    snprintf(name, sizeof name, "found%d", form + 1);
-    plane_outline(plot, name, c);
-    snprintf(name, sizeof name, "frame%d", form + 1);
-    plot_block(plot, name, "x y z of the plane's middle, x y z of an arrow: right, up, forward");
+    plane_outline(plot, text_of("found%d", form + 1).s, c);
+    plot_block(plot, text_of("frame%d", form + 1).s,
+               "x y z of the plane's middle, x y z of an arrow: right, up, forward");
     plot_row_vector(plot, middle, length * c.right);
     plot_row_vector(plot, middle, length * c.up);
     plot_row_vector(plot, middle, length * c.forward);
@@ -80,15 +68,14 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     double left = form % 2 == 0 ? 0.02 : 0.51, bottom = form < 2 ? 0.465 : 0.075;
     Room room = {left, left + 0.47, bottom, bottom + 0.335};
     Camera c = given.camera;
-    char block[20];
+    Text block = text_of("eye%d", form + 1);
     plot_panel(plot, form + 1);
     plot_room(plot, room, room);
-    snprintf(block, sizeof block, "eye%d", form + 1);
-    plot_point(plot, block, c.origin);
+    plot_point(plot, block.s, c.origin);
     plot_fit(plot, c.origin, 0);
     plot_fit(plot, c.origin + (c.distance + frame_length(c)) * c.forward, 0);
     if (form == 0)
-        plot_name(plot, (Label){"eye", "blue", .step = 1, .block = block});
+        plot_name(plot, (Label){"eye", "blue", .step = 1, .block = block.s});
     plot_pin(plot, form % 2 == 0 ? 0.25 : 0.75, form < 2 ? 0.97 : 0.502,
              {title, "ink", .step = form + 1});
 }
@@ -301,10 +288,4 @@ static void look_at(Plot *plot, void *given)
     angle_panel(plot, c);
 }
 
-static const Figure figures[] = {{"camera-forms", camera_forms}, {"look-at", look_at}, {0}};
-
-int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up, vec3 lean)
-{
-    Given given = {camera, up, lean};
-    return plot_figure(program, "chapters/02-cameras", figures, command, &given);
-}
+const Figure camera_figures[] = {{"camera-forms", camera_forms}, {"look-at", look_at}, {0}};

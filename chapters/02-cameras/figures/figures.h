@@ -5,8 +5,13 @@
 #include "common/camera.h"
 #include "common/figure/plot.h"
 
-// Prints a figure's script. up is the up vector of a look-at, or the camera's own; lean is the up
-// that the figure look-at begins with, or NaN. Returns the exit status for main.
-int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up, vec3 lean);
+// What they show: a camera; the up vector of a look-at, or the camera's own; and the up that the
+// figure look-at begins with, or NaN.
+typedef struct {
+    Camera camera;
+    vec3 up, lean;
+} Given;
+
+extern const Figure camera_figures[];
 
 #endif

@@ -29,9 +29,7 @@ static vec3 flat(double x, double y)
 
 static void axis(Plot *plot, const char *name, vec3 from, vec3 to)
 {
-    char block[40];
-    snprintf(block, sizeof block, "%s_axis", name);
-    plot_vector(plot, block, from, to - from);
+    plot_vector(plot, text_of("%s_axis", name).s, from, to - from);
     plot_fit(plot, from, 0);
     plot_fit(plot, to, 0);
 }
@@ -62,12 +60,10 @@ static void screen_to_unit_words(Plot *plot)
     plot_pin(plot, 0.535, 0.43, {"$t = 1 − y/${screen_H}", "green", .step = 3});
     const char *from_top =
         plot_shown(plot, "point_y") < 0 ? "1 − ({point_y})/{screen_H}" : "1 − {point_y}/{screen_H}";
-    char second[100];
-    snprintf(second, sizeof second, "$t =$ %s = {place_t}", from_top);
     bool is_wrong = plot_says_yours(plot, "place");
     plot_pin(plot, 0.5, is_wrong ? 0.14 : 0.1,
              {"$s =$ {point_x}/{screen_W} = {place_s}", "orange", .step = 5},
-             {second, "green", .step = 5},
+             {text_of("$t =$ %s = {place_t}", from_top).s, "green", .step = 5},
              {is_wrong ? "yours: {your_place}" : "", "ink", .step = 5});
 }
 
@@ -212,11 +208,5 @@ static void pixel_grid(Plot *plot, void *given)
     plot_handle_pixel(plot, flat(center.x, -center.y), pixel, screen, flat(1, 0), flat(0, -1));
 }
 
-static const Figure figures[] = {
+const Figure screen_figures[] = {
     {"screen-to-unit", screen_to_unit}, {"pixel-grid", pixel_grid}, {0}};
-
-int screen_figure(const char *program, FigureCommand command, const Spot *spot)
-{
-    Spot copy = *spot;
-    return plot_figure(program, "chapters/03-screen", figures, command, &copy);
-}

@@ -5,14 +5,13 @@
 #include "common/figure/plot.h"
 #include "common/screen.h"
 
-// A point and a pixel of a screen.
+// What they show: a point and a pixel of a screen.
 typedef struct {
     Resolution screen;
     ScreenPoint point;
     Pixel pixel;
 } Spot;
 
-// Prints a figure's script. Returns the exit status for main.
-int screen_figure(const char *program, FigureCommand command, const Spot *spot);
+extern const Figure screen_figures[];
 
 #endif

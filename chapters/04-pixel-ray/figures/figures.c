@@ -24,20 +24,17 @@ static vec3 flat(double x, double y)
 static void flat_panel(Plot *plot, const char *name, vec3 corner, vec3 size, vec3 point,
                        bool from_below)
 {
-    char block[40];
     plot_block(plot, name, "x y z of the corners");
     for (int i = 0; i < 5; i++)
         plot_row_point(
             plot, corner + flat(i == 1 || i == 2 ? size[0] : 0, i == 2 || i == 3 ? size[1] : 0));
     plot_fit(plot, corner, 0);
     plot_fit(plot, corner + size, 0);
-    snprintf(block, sizeof block, "%s_point", name);
-    plot_point(plot, block, point);
-    snprintf(block, sizeof block, "%s_across", name);
-    plot_vector(plot, block, flat(corner[0], point[1]), flat(point[0] - corner[0], 0));
+    plot_point(plot, text_of("%s_point", name).s, point);
+    plot_vector(plot, text_of("%s_across", name).s, flat(corner[0], point[1]),
+                flat(point[0] - corner[0], 0));
     double edge = from_below ? corner[1] : corner[1] + size[1];
-    snprintf(block, sizeof block, "%s_up", name);
-    plot_vector(plot, block, flat(point[0], edge), flat(0, point[1] - edge));
+    plot_vector(plot, text_of("%s_up", name).s, flat(point[0], edge), flat(0, point[1] - edge));
 }
 
 // Panels 2, 3 and 4, side by side: the pixel under a lens, the screen, the unit square.
@@ -98,9 +95,7 @@ static void yours(Plot *plot, ScreenPoint center, Text place, vec3 vector, vec3 
                  {"origin", "p =", vec3_shown(origin)}};
     for (size_t i = 0; i < sizeof links / sizeof *links; i++)
         if (plot_says_yours(plot, links[i].name)) {
-            char words[300];
-            snprintf(words, sizeof words, "yours: %s %s", links[i].words, links[i].value.s);
-            plot_below(plot, "ink", words);
+            plot_below(plot, "ink", text_of("yours: %s %s", links[i].words, links[i].value.s).s);
             return;
         }
 }
@@ -145,10 +140,4 @@ static void pixel_to_ray(Plot *plot, void *given)
     camera_handles(plot, c);
 }
 
-static const Figure figures[] = {{"pixel-to-ray", pixel_to_ray}, {0}};
-
-int pixel_ray_figure(const char *program, FigureCommand command, const Aim *aim)
-{
-    Aim copy = *aim;
-    return plot_figure(program, "chapters/04-pixel-ray", figures, command, &copy);
-}
+const Figure pixel_ray_figures[] = {{"pixel-to-ray", pixel_to_ray}, {0}};

@@ -6,14 +6,13 @@
 #include "common/figure/plot.h"
 #include "common/screen.h"
 
-// A pixel of a screen, seen by a camera.
+// What it shows: a pixel of a screen, seen by a camera.
 typedef struct {
     Camera camera;
     Resolution screen;
     Pixel pixel;
 } Aim;
 
-// Prints a figure's script. Returns the exit status for main.
-int pixel_ray_figure(const char *program, FigureCommand command, const Aim *aim);
+extern const Figure pixel_ray_figures[];
 
 #endif

@@ -136,8 +136,8 @@ static void data(Plot *plot, const Panels *panels)
     roots_of_kind(plot, "back", panels, BEHIND);
     for (int i = 0; i < panels->count; i++) {
         Meeting one = situation(panels, i);
-        char prefix[20];
-        snprintf(prefix, sizeof prefix, "panel%d_", i + 1);
+        Text panel = text_of("panel%d_", i + 1);
+        const char *prefix = panel.s;
         coefficient_numbers(plot, prefix, quadratic_of(&one));
         root_numbers(plot, prefix, quadratic_roots(quadratic_of(&one)));
         plot_number(plot, joined(prefix, "hit"), hit_sphere(one.ray, one.sphere));

@@ -301,14 +301,12 @@ static void section_handles(Plot *plot, const Section *s, bool turns)
 // The hit in words.
 static void verdict(Plot *plot, Roots roots, double hit, double away)
 {
-    char words[200];
+    Text words = {"no root > 0: no hit"};
     if (hit > 0 && hit < NO_HIT)
-        snprintf(words, sizeof words, "%s is the hit", number_shown_to(hit, root_digits(roots)).s);
-    else if (roots_shown(roots) > 0)
-        snprintf(words, sizeof words, "no root > 0: no hit");
-    else
-        snprintf(words, sizeof words, "no root: C is %s away", number_shown(away).s);
-    plot_label(plot, "verdict", words);
+        words = text_of("%s is the hit", number_shown_to(hit, root_digits(roots)).s);
+    else if (roots_shown(roots) == 0)
+        words = text_of("no root: C is %s away", number_shown(away).s);
+    plot_label(plot, "verdict", words.s);
 }
 
 static bool is_moved(const Meeting *m)
@@ -447,18 +445,19 @@ static void drawn_above(Plot *plot, const Graph *g)
         plot_line(plot, s->nearest, graph_point(g, s->t, plot_shown(plot, "f_nearest")), 0, 0);
 }
 
+static Text signed_term(double x, int digits)
+{
+    Text number = number_shown_to(fabs(x), digits);
+    return x == 0 ? (Text){""} : text_of(" %s %s", x < 0 ? "\u2212" : "+", number.s);
+}
+
 // The terms of a t² + b t + c with their signs; of the first, 1 is not written.
 static void polynomial(Plot *plot, Quadratic q)
 {
     int digits = coefficient_digits(q);
-    char term[200];
     plot_label(plot, "first", q.a == 1 ? "" : number_shown_to(q.a, digits).s);
-    snprintf(term, sizeof term, " %s %s", q.b < 0 ? "\u2212" : "+",
-             number_shown_to(fabs(q.b), digits).s);
-    plot_label(plot, "second", q.b == 0 ? "" : term);
-    snprintf(term, sizeof term, " %s %s", q.c < 0 ? "\u2212" : "+",
-             number_shown_to(fabs(q.c), digits).s);
-    plot_label(plot, "third", q.c == 0 ? "" : term);
+    plot_label(plot, "second", signed_term(q.b, digits).s);
+    plot_label(plot, "third", signed_term(q.c, digits).s);
 }
 
 // The same as a label, of what is right or, where it differs, of yours.
@@ -468,15 +467,13 @@ static Text polynomial_label(const Plot *plot, const char *begin, bool yours)
         const char *term, *number, *after;
         double unwritten;
     } terms[] = {{"first", "a", " $t²$", 1}, {"second", "b", " $t$", 0}, {"third", "c", "", 0}};
-    Text text;
-    size_t used = (size_t)snprintf(text.s, sizeof text.s, "%s", begin);
+    Text text = text_of("%s", begin);
     for (int i = 0; i < 3; i++) {
         const char *your = yours && plot_says_yours(plot, terms[i].term) ? "your_" : "";
         if (plot_shown(plot, joined(your, terms[i].number)) != terms[i].unwritten)
-            used += (size_t)snprintf(text.s + used, sizeof text.s - used, "{%s%s}%s", your,
-                                     terms[i].term, terms[i].after);
+            text = text_of("%s{%s%s}%s", text.s, your, terms[i].term, terms[i].after);
         else if (i == 0)
-            used += (size_t)snprintf(text.s + used, sizeof text.s - used, "$t²$");
+            text = text_of("%s$t²$", text.s);
     }
     return text;
 }
@@ -762,37 +759,27 @@ static void say(Lines *lines, int step, Text line)
 static void say_both(Plot *plot, Lines *lines, int step, const char *first, const char *second)
 {
     enum { ROOM = 680 };
-    Text one, two;
-    snprintf(one.s, sizeof one.s, "%s, %s", first, second);
-    if (plot_width(plot, one.s) <= ROOM) {
-        say(lines, step, one);
-        return;
-    }
-    snprintf(one.s, sizeof one.s, "%s", first);
-    snprintf(two.s, sizeof two.s, "%s", second);
-    say(lines, step, one);
-    say(lines, step, two);
+    Text both = text_of("%s, %s", first, second);
+    bool fits = plot_width(plot, both.s) <= ROOM;
+    say(lines, step, fits ? both : text_of("%s", first));
+    if (!fits)
+        say(lines, step, text_of("%s", second));
 }
 
 static void say_coefficients(Plot *plot, Lines *lines, const char *where, const char *at)
 {
-    char first[80], second[40];
-    snprintf(first, sizeof first, "%s: $a$ = {%sa}, $b$ = {%sb}", where, at, at);
-    snprintf(second, sizeof second, "$c$ = {%sc}", at);
-    say_both(plot, lines, 3, first, second);
+    Text first = text_of("%s: $a$ = {%sa}, $b$ = {%sb}", where, at, at);
+    say_both(plot, lines, 3, first.s, text_of("$c$ = {%sc}", at).s);
 }
 
 static Text roots_said(const Plot *plot, const char *where, const char *at)
 {
     double t0 = plot_shown(plot, joined(at, "t0")), t1 = plot_shown(plot, joined(at, "t1"));
-    Text line;
     if (plot_shown(plot, joined(at, "roots")) == 0)
-        snprintf(line.s, sizeof line.s, "%s: no root", where);
-    else if (t0 == t1)
-        snprintf(line.s, sizeof line.s, "%s: $t_0 = t_1$ = {%st0}", where, at);
-    else
-        snprintf(line.s, sizeof line.s, "%s: $t_0$ = {%st0}, $t_1$ = {%st1}", where, at, at);
-    return line;
+        return text_of("%s: no root", where);
+    if (t0 == t1)
+        return text_of("%s: $t_0 = t_1$ = {%st0}", where, at);
+    return text_of("%s: $t_0$ = {%st0}, $t_1$ = {%st1}", where, at, at);
 }
 
 // Your numbers that are wrong, as many in a line as have room.
@@ -804,16 +791,15 @@ static void say_yours(const Plot *plot, Lines *lines, const char *where, const c
     for (int i = 0; i < NAMES; i++) {
         if (!plot_says_yours(plot, joined(at, names[i])))
             continue;
-        Text one, longer;
-        snprintf(one.s, sizeof one.s, "%s = {your_%s%s}", names[i], at, names[i]);
-        snprintf(longer.s, sizeof longer.s, "%.100s, %.50s", line.s, one.s);
+        Text one = text_of("%s = {your_%s%s}", names[i], at, names[i]);
+        Text longer = text_of("%s, %s", line.s, one.s);
         if (line.s[0] != '\0' && plot_width(plot, longer.s) <= ROOM) {
             line = longer;
             continue;
         }
         if (line.s[0] != '\0')
             say(lines, 4, line);
-        snprintf(line.s, sizeof line.s, "yours, %s: %.50s", where, one.s);
+        line = text_of("yours, %s: %s", where, one.s);
     }
     if (line.s[0] != '\0')
         say(lines, 4, line);
@@ -884,18 +870,12 @@ static void world_object(Plot *plot, void *given)
     world_object_words(plot);
 }
 
-static const Figure figures[] = {{"ray-sphere", ray_sphere},
-                                 {"parabola", parabola_data},
-                                 {"discriminant", discriminant_figure},
-                                 {"geometric-roots", geometric_roots},
-                                 {"world-object", world_object},
-                                 {0}};
-
-int quadratic_figure(const char *program, FigureCommand command, const Meeting *meeting)
-{
-    Meeting copy = *meeting;
-    return plot_figure(program, "chapters/05-quadratic", figures, command, &copy);
-}
+const Figure quadratic_figures[] = {{"ray-sphere", ray_sphere},
+                                    {"parabola", parabola_data},
+                                    {"discriminant", discriminant_figure},
+                                    {"geometric-roots", geometric_roots},
+                                    {"world-object", world_object},
+                                    {0}};
 
 // ---- a quadratic, its roots and their places, as data of figures --------------------------------
 

@@ -13,8 +13,7 @@ typedef struct {
     Sphere sphere;
 } Meeting;
 
-// Prints a figure's script; returns the result of main.
-int quadratic_figure(const char *program, FigureCommand command, const Meeting *meeting);
+extern const Figure quadratic_figures[]; // of a Meeting
 
 // ---- a quadratic, its roots and their places, as data of figures --------------------------------
 

@@ -31,13 +31,9 @@ static void one_sphere(Plot *plot, const Shown *shown, int k, int sphere)
                    {"roots", roots.count},
                    {"root_0", roots.count > 0 ? roots.t[0] : 0},
                    {"root_1", roots.count > 0 ? roots.t[1] : 0}};
-    char name[40];
-    for (int i = 0; i < 7; i++) {
-        snprintf(name, sizeof name, "%s_%d", numbers[i].name, k);
-        plot_number(plot, name, numbers[i].value);
-    }
-    snprintf(name, sizeof name, "name_%d", k);
-    plot_text(plot, name, sphere_name(sphere).s);
+    for (int i = 0; i < 7; i++)
+        plot_number(plot, text_of("%s_%d", numbers[i].name, k).s, numbers[i].value);
+    plot_text(plot, text_of("name_%d", k).s, sphere_name(sphere).s);
 }
 
 static void the_color(Plot *plot, const Shown *shown)
@@ -45,41 +41,39 @@ static void the_color(Plot *plot, const Shown *shown)
     const Scene *scene = shown->shot.scene;
     bool any = shown->hit_count > 0;
     Color color = any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background;
-    char text[60];
-    snprintf(text, sizeof text, "%d, %d, %d", byte_from_color(color[0]), byte_from_color(color[1]),
-             byte_from_color(color[2]));
-    plot_text(plot, "bytes_text", text);
+    plot_text(plot, "bytes_text",
+              text_of("%d, %d, %d", byte_from_color(color[0]), byte_from_color(color[1]),
+                      byte_from_color(color[2]))
+                  .s);
     plot_direction(plot, "color", color);
 }
 
 // What becomes of one of the spheres.
-static void say_sphere(const Shown *shown, int k, int sphere, char *text, size_t size)
+static Text say_sphere(const Shown *shown, int k, int sphere)
 {
     Sphere s = shown->shot.scene->spheres[sphere];
     Text name = sphere_name(sphere);
     if (hit_sphere(shown->ray, s) < NO_HIT)
-        snprintf(text, size, "%s: $t$ = {root_0_%d}, {root_1_%d}", name.s, k, k);
-    else
-        snprintf(text, size, "%s: %s", name.s,
-                 sphere_roots(shown->ray, s).count > 0 ? "behind the eye" : "missed");
+        return text_of("%s: $t$ = {root_0_%d}, {root_1_%d}", name.s, k, k);
+    return text_of("%s: %s", name.s,
+                   sphere_roots(shown->ray, s).count > 0 ? "behind the eye" : "missed");
 }
 
 // The story in three blocks of words below the picture: the ray, its hits, the color.
 static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
 {
     Label hits[MOST_DRAWN];
-    char texts[MOST_DRAWN][240];
+    Text texts[MOST_DRAWN];
     for (int i = 0; i < outcome->told_count; i++) {
-        say_sphere(shown, i + 1, outcome->told[i], texts[i], sizeof texts[i]);
-        hits[i] = (Label){texts[i], "ink", .step = 4};
+        texts[i] = say_sphere(shown, i + 1, outcome->told[i]);
+        hits[i] = (Label){texts[i].s, "ink", .step = 4};
     }
-    char nearest[200] = "no hit: background";
+    Text nearest = {"no hit: background"};
     if (shown->hit_count > 0)
-        snprintf(nearest, sizeof nearest, "smallest $t$: {nearest}, %s",
-                 sphere_name(shown->hits[0].sphere).s);
+        nearest = text_of("smallest $t$: {nearest}, %s", sphere_name(shown->hits[0].sphere).s);
     plot_say(plot, 0, 0, {"pixel {pixel} of {size}", "ink", .step = 1},
              {"$s$ = {s}, $t$ = {t}", "ink", .step = 1}, {"$v$ = {vector_v}", "blue", .step = 2});
-    plot_say(plot, 1, 0, {nearest, "blue", .step = 5}, {"color {bytes}", "ink", .step = 6});
+    plot_say(plot, 1, 0, {nearest.s, "blue", .step = 5}, {"color {bytes}", "ink", .step = 6});
     plot_say_of(plot, 0.52, 0, outcome->told_count, hits);
 }
 
@@ -156,9 +150,9 @@ static int ray_casting_data(Plot *plot, const Shown *shown)
 
 static void counted(Plot *plot, int step, int cells, const char *what)
 {
-    char text[200];
-    snprintf(text, sizeof text, "%d pixel center%s%s", cells, cells == 1 ? "" : "s", what);
-    plot_say(plot, 0.5, 0, {text, "ink", .step = step});
+    plot_say(plot, 0.5, 0,
+             {text_of("%d pixel center%s%s", cells, cells == 1 ? "" : "s", what).s, "ink",
+              .step = step});
 }
 
 // What the ray meets, at the places where it does.
@@ -170,10 +164,9 @@ static void hit_names(Plot *plot, const Shown *shown)
             {plot_says_yours(plot, "all_hits") ? "your ray meets nothing" : "the ray meets nothing",
              "ink", .step = 3});
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
-        char text[400];
-        snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_shown(shown->hits[i].t).s,
-                 sphere_name(shown->hits[i].sphere).s, i == 0 ? ": closest" : "");
-        plot_name(plot, (Label){text, "ink", .step = 3, .block = "hits", .row = i});
+        Text text = text_of("$t$ = %s, sphere %s%s", number_shown(shown->hits[i].t).s,
+                            sphere_name(shown->hits[i].sphere).s, i == 0 ? ": closest" : "");
+        plot_name(plot, (Label){text.s, "ink", .step = 3, .block = "hits", .row = i});
     }
 }
 
@@ -290,10 +283,8 @@ static void object_order(Plot *plot, void *given)
     outline_on_plane(plot, "outline", shown->camera, sphere);
     lines_to_eye(plot, "lines", "heads", shown->camera, sphere, shown->sphere_count > 0);
     shown_look(plot, shown);
-    char where[200];
-    snprintf(where, sizeof where,
-             inside ? ", because the eye is in %s" : " inside the outline of %s", name.s);
-    counted(plot, 4, cells, where);
+    counted(plot, 4, cells,
+            text_of(inside ? ", because the eye is in %s" : " inside the outline of %s", name.s).s);
     same_view(plot, shown, missing_ray(shown));
 }
 

@@ -314,9 +314,8 @@ static void look(Plot *plot, const Shown *shown, const Circle *circles, int coun
 
 static void left_out(Plot *plot, int count, int all)
 {
-    char text[100];
-    snprintf(text, sizeof text, "Drawn: %d of %d spheres", count, all);
-    plot_say(plot, 0, 1, {.text = text, .color = "grey"});
+    plot_say(plot, 0, 1,
+             {.text = text_of("Drawn: %d of %d spheres", count, all).s, .color = "grey"});
 }
 
 // The first sphere can be dragged along the ray, and away from it.

@@ -371,13 +371,9 @@ void shown_patches(Plot *plot, const Shown *shown)
 static void the_pixel(Plot *plot, const Shown *shown)
 {
     Shot shot = shown->shot;
-    char text[60];
-    snprintf(text, sizeof text, "(%d, %d)", shot.pixel.column, shot.pixel.row);
-    plot_text(plot, "pixel_text", text);
-    snprintf(text, sizeof text, "%d × %d", shot.size.width, shot.size.height);
-    plot_text(plot, "size_text", text);
-    snprintf(text, sizeof text, "%d × %d", shown->grid.width, shown->grid.height);
-    plot_text(plot, "grid_text", text);
+    plot_text(plot, "pixel_text", text_of("(%d, %d)", shot.pixel.column, shot.pixel.row).s);
+    plot_text(plot, "size_text", text_of("%d × %d", shot.size.width, shot.size.height).s);
+    plot_text(plot, "grid_text", text_of("%d × %d", shown->grid.width, shown->grid.height).s);
     plot_number(plot, "coarse",
                 shot.size.width != shown->grid.width || shot.size.height != shown->grid.height);
     plot_block(plot, "pixel", "x y z of the corners, rgb, column row");
@@ -403,21 +399,18 @@ static void note(Plot *plot, const Shown *shown, double plane_at)
 {
     Resolution grid = shown->grid, size = shown->shot.size;
     int all = shown->shot.scene->sphere_count;
-    char pixels[80] = "", spheres[80] = "", plane[200] = "", text[400];
+    Text words = {""};
     if (grid.width != size.width || grid.height != size.height)
-        snprintf(pixels, sizeof pixels, ", %d × %d of %d × %d pixels", grid.width, grid.height,
-                 size.width, size.height);
+        words = text_of(", %d × %d of %d × %d pixels", grid.width, grid.height, size.width,
+                        size.height);
     if (shown->sphere_count < all)
-        snprintf(spheres, sizeof spheres, ", %d of %d spheres", shown->sphere_count, all);
+        words = text_of("%s, %d of %d spheres", words.s, shown->sphere_count, all);
     if (plane_at != 1)
-        snprintf(plane, sizeof plane, ", the image plane at t = %s", number_shown(plane_at).s);
-    snprintf(text, sizeof text, "%s%s%s", pixels, spheres, plane);
-    char words[420] = "";
-    if (text[0] != '\0')
-        snprintf(words, sizeof words, "Drawn: %s", text + 2);
-    plot_text(plot, "drawn_text", words);
-    if (words[0] != '\0')
-        plot_say(plot, 0, 1, {.text = "{drawn}", .color = "grey"});
+        words = text_of("%s, the image plane at t = %s", words.s, number_shown(plane_at).s);
+    if (words.s[0] != '\0')
+        words = text_of("Drawn: %s", words.s + 2);
+    plot_text(plot, "drawn_text", words.s);
+    plot_say(plot, 0, 1, {.text = words.s[0] != '\0' ? "{drawn}" : "", .color = "grey"});
 }
 
 void shown_look(Plot *plot, const Shown *shown)

@@ -225,13 +225,7 @@ static void flat_and_shaded(Plot *plot, void *given)
 
 // ---- all of them ------------------------------------------------------------------------------
 
-static const Figure figures[] = {
+const Figure shading_figures[] = {
     {"flat-and-shaded", flat_and_shaded},     {"surface-vectors", surface_vectors},
     {"beam-and-lobe", beam_and_lobe},         {"self-hit", self_hit},
     {"shadow-and-mirror", shadow_and_mirror}, {0}};
-
-int shading_figure(FigureCommand command, const Drawing *drawing, Plane plane)
-{
-    Given given = {*drawing, plane};
-    return plot_figure(drawing->program, "chapters/07-shading", figures, command, &given);
-}

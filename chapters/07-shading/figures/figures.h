@@ -32,8 +32,6 @@ void beam_and_lobe(Plot *plot, void *given);
 void self_hit(Plot *plot, void *given);
 void shadow_and_mirror(Plot *plot, void *given);
 
-// Prints a figure's script; returns the result of main. The scene is that of a drawing, or the
-// chapter's own.
-int shading_figure(FigureCommand command, const Drawing *drawing, Plane plane);
+extern const Figure shading_figures[]; // of what is Given
 
 #endif

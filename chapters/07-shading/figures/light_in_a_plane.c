@@ -261,20 +261,18 @@ static void hit_panel(Plot *plot, int panel, Sphere sphere, Light light, Ray ray
 {
     static const Room rooms[] = {{0.012, 0.488, 0.33, 0.845}, {0.512, 0.988, 0.33, 0.845}};
     double from = asin(low / sphere.radius);
-    char name[20];
+    Text lamp = text_of("light_%d", panel);
     plot_panel(plot, panel);
     plot_room(plot, rooms[panel - 1], rooms[panel - 1]);
     plot_fit(plot, vec3_of(-1.2, low, 0), 0);
     plot_fit(plot, vec3_of(1.2, 1.9, 0), 0);
     plot_fit(plot, ray.origin, 0);
     plot_fit(plot, light.position, 0);
-    snprintf(name, sizeof name, "cap_%d", panel);
-    part_of_circle(plot, name, sphere.center, sphere.radius, from, PI - 2 * from, 72);
-    snprintf(name, sizeof name, "light_%d", panel);
-    plot_point(plot, name, light.position);
-    plot_name(plot, (Label){"light", "ink", .block = name, .step = panel == 1 ? 1 : 4});
-    snprintf(name, sizeof name, "seen_%d", panel);
-    plot_vector(plot, name, ray.origin, point - ray.origin);
+    part_of_circle(plot, text_of("cap_%d", panel).s, sphere.center, sphere.radius, from,
+                   PI - 2 * from, 72);
+    plot_point(plot, lamp.s, light.position);
+    plot_name(plot, (Label){"light", "ink", .block = lamp.s, .step = panel == 1 ? 1 : 4});
+    plot_vector(plot, text_of("seen_%d", panel).s, ray.origin, point - ray.origin);
 }
 
 static void drawn_rays(Plot *plot, Sphere sphere, Light light, Ray ray, vec3 point)
@@ -407,9 +405,8 @@ static void ball_data(Plot *plot)
 {
     static const char *const names[BALLS] = {"A", "B", "C"};
     for (int i = 0; i < BALLS; i++) {
-        char block[20];
-        snprintf(block, sizeof block, "ball%d", i);
-        part_of_circle(plot, block, balls[i].center, balls[i].radius, 0, 2 * PI, 120);
+        part_of_circle(plot, text_of("ball%d", i).s, balls[i].center, balls[i].radius, 0, 2 * PI,
+                       120);
         plot_circle(plot, balls[i].center, balls[i].radius);
         plot_fit(plot, balls[i].center, balls[i].radius);
         plot_name(plot, (Label){names[i], "ink", .place = balls[i].center});

@@ -76,18 +76,15 @@ static void plane(Plot *plot, const View *view)
 // to the line.
 static void edge(Plot *plot, const View *view, const char *name, double x, Edge one)
 {
-    char block[40];
     plot_number_to(plot, name, x, DIGITS);
-    snprintf(block, sizeof block, "%s_line", name);
-    plot_vector(plot, block, vec3_of(0, 0, 0), one.end);
+    plot_vector(plot, text_of("%s_line", name).s, vec3_of(0, 0, 0), one.end);
     plot_fit(plot, one.end, 0);
-    snprintf(block, sizeof block, "%s_mark", name);
-    plot_point(plot, block, one.on_plane);
-    snprintf(block, sizeof block, "%s_radius", name);
+    plot_point(plot, text_of("%s_mark", name).s, one.on_plane);
     vec3 center = center_of(view);
     if (one.is_cut)
         plot_undrawn(plot);
-    plot_vector(plot, block, center, one.is_cut ? vec3_of(NAN, NAN, NAN) : one.touch - center);
+    plot_vector(plot, text_of("%s_radius", name).s, center,
+                one.is_cut ? vec3_of(NAN, NAN, NAN) : one.touch - center);
 }
 
 static void handles(Plot *plot, const View *view)
