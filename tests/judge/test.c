@@ -50,8 +50,7 @@ static int digits_that_tell(const double *yours, const double *expected, int cou
     return digits;
 }
 
-// One number, or several in parentheses, each below its counterpart.
-static void settle_numbers(const double *yours, const double *expected, int count, double tolerance)
+void expect_numbers(const double *yours, const double *expected, int count, double tolerance)
 {
     bool met = true;
     expects((Expectation){count, yours, expected, tolerance, 0, false, 0, 0});
@@ -81,19 +80,19 @@ static void settle_numbers(const double *yours, const double *expected, int coun
 
 void expect_number(double yours, double expected, double tolerance)
 {
-    settle_numbers(&yours, &expected, 1, tolerance);
+    expect_numbers(&yours, &expected, 1, tolerance);
 }
 
 void expect_vec3(vec3 yours, vec3 expected, double tolerance)
 {
     const double y[3] = {yours[0], yours[1], yours[2]};
     const double e[3] = {expected[0], expected[1], expected[2]};
-    settle_numbers(y, e, 3, tolerance);
+    expect_numbers(y, e, 3, tolerance);
 }
 
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance)
 {
-    settle_numbers((const double[]){yours_x, yours_y}, (const double[]){x, y}, 2, tolerance);
+    expect_numbers((const double[]){yours_x, yours_y}, (const double[]){x, y}, 2, tolerance);
 }
 
 typedef struct {

@@ -67,6 +67,8 @@ void given_sphere(Sphere sphere);
 
 // The expected result, to within an absolute tolerance; NaN is never near anything.
 void expect_number(double yours, double expected, double tolerance);
+// In parentheses, if they are several, each below its counterpart.
+void expect_numbers(const double *yours, const double *expected, int count, double tolerance);
 void expect_vec3(vec3 yours, vec3 expected, double tolerance);
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
 // A value without pointers, of any type: whole numbers are equal, and in a world of this size the

@@ -83,32 +83,19 @@ void type_visit(const Type *type, const char *name, void *value, NumberVisitor *
                               sizeof fields_of_##type / sizeof(Field), fields_of_##type};          \
     _Static_assert(sizeof(type) <= TYPE_MOST_BYTES, "TYPE_MOST_BYTES is too small");
 
-#define FIELD(type, field) (FIELD_OF_ONE, type, field, #field " ")
-#define FIELD_AS(label, type, field) (FIELD_OF_ONE, type, field, label)
-#define LENGTH(type, field) (FIELD_OF_LENGTH, type, field, #field " ")
-#define LENGTH_AS(label, type, field) (FIELD_OF_LENGTH, type, field, label)
-#define LIST(type, field, count) (FIELD_OF_LIST, type, field, count)
-#define PIXELS(field) (FIELD_OF_PIXELS, ~, field, size)
+// The kind, the type of an item, the field, its label, the field with the count, is it a length?
+#define FIELD(type, field) FIELD_AS(#field " ", type, field)
+#define FIELD_AS(label, type, field) (FIELD_OF_ONE, &type_##type, field, label, field, false)
+#define LENGTH(type, field) LENGTH_AS(#field " ", type, field)
+#define LENGTH_AS(label, type, field) (FIELD_OF_ONE, &type_##type, field, label, field, true)
+#define LIST(type, field, count) (FIELD_OF_LIST, &type_##type, field, NULL, count, false)
+#define PIXELS(field) (FIELD_OF_PIXELS, NULL, field, NULL, size, false)
 
 #define FIELD_IN(owner, i, field) FIELD_IN_(owner, UNPACK field)
-#define FIELD_IN_(...) FIELD_BY_KIND(__VA_ARGS__)
-#define FIELD_BY_KIND(owner, kind, type, field, other) IN_##kind(owner, type, field, other)
-#define IN_FIELD_OF_ONE(owner, type, field, label)                                                 \
+#define FIELD_IN_(...) FIELD_OF(__VA_ARGS__)
+#define FIELD_OF(owner, kind, type, field, label, count, is_length)                                \
     {                                                                                              \
-        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0, false                \
-    }
-#define IN_FIELD_OF_LENGTH(owner, type, field, label)                                              \
-    {                                                                                              \
-        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0, true                 \
-    }
-#define IN_FIELD_OF_LIST(owner, type, field, count)                                                \
-    {                                                                                              \
-        FIELD_OF_LIST, #field, NULL, &type_##type, offsetof(owner, field), offsetof(owner, count), \
-            false                                                                                  \
-    }
-#define IN_FIELD_OF_PIXELS(owner, type, field, size)                                               \
-    {                                                                                              \
-        FIELD_OF_PIXELS, #field, NULL, NULL, offsetof(owner, field), offsetof(owner, size), false  \
+        kind, #field, label, type, offsetof(owner, field), offsetof(owner, count), is_length       \
     }
 #endif
 

@@ -201,7 +201,7 @@ static double largest_of(const Numbers *numbers)
     return largest;
 }
 
-static void expect_numbers(Question *question, int place, const Expectation *it)
+static void expect_here(Question *question, int place, const Expectation *it)
 {
     double largest = largest_of(&(Numbers){.count = it->count, .at = (double *)it->expected});
     for (int i = 0; i < it->count; i++) {
@@ -221,7 +221,7 @@ static void expect_of_case(const Expectation *it)
         Question *question = &writing->questions[i];
         int place = placed ? -1 : place_in(question, it);
         if (place >= 0)
-            expect_numbers(question, place, it);
+            expect_here(question, place, it);
         else if (it->count > 0 || it->tolerance > 0)
             open.fallback[i] = fmin(open.fallback[i], it->tolerance);
         placed = placed || place >= 0;
