@@ -13,8 +13,8 @@ CAMERAS=${MOST_CAMERAS:-500} SCENES=${MOST_SCENES:-500} MISTAKES=${MISTAKES:-1} 
 
 export PROGRAMS PYTHONPATH=tests/house/figures
 # shellcheck disable=SC2016 # the inner shell expands them
-seq 1000 10 $((999 + ${MOST_EXAMPLES:-500})) | xargs -P "$(getconf _NPROCESSORS_ONLN)" -n 1 \
-    sh -c 'python3 -B tests/proof/example_figures.py "$1" 10 >"$0-$1" 2>&1' "$scratch/examples"
+seq 1000 $((999 + ${MOST_EXAMPLES:-500})) | xargs -P "$(getconf _NPROCESSORS_ONLN)" -n 1 \
+    sh -c 'python3 -B tests/proof/random_example.py "$1" --clear >"$0-$1" 2>&1' "$scratch/examples"
 for log in "$scratch"/examples-*; do
     counted cat "$log"
 done

@@ -4,6 +4,7 @@
     random_example.py NUMBER --lessons   what lessons must hold then: FILE, and TEXTS after tabs, any of them
     random_example.py NUMBER --figures   PROGRAM FIGURE OPTIONS: the figure must be the one without options
     random_example.py NUMBER --slides    numbers that the slides must have then, as JSON writes them
+    random_example.py NUMBER --clear     tests that its figures are clear, in both shapes (tests/proof/figures.sh)
 
 The results are found in another way than the chapters find them, and in another language: by the geometry of the
 chord. NUMBER 0 is the deck's example; from 1000 on, numbers are from 1e-6 to 1e6.
@@ -20,6 +21,7 @@ import shown as writing  # it is beside the tests of figures
 
 PLAIN = {raised: chr(plain) for plain, raised in writing.RAISED.items()}
 
+from check import SHAPES, Checks, drawn
 from figure import cross, dot, plus, times, unit
 
 SIZES = ((320, 240), (640, 480), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (512, 512), (600, 900))
@@ -242,6 +244,14 @@ def print_slides(e):
     print(f'"without_dividing": "{without}"\n"arrow": "{arrow}"')
 
 
-PRINT = {(): print_file, ("--lessons",): print_lessons, ("--figures",): print_figures, ("--slides",): print_slides}
-if __name__ == "__main__":
-    PRINT[tuple(sys.argv[2:])](example_number(int(sys.argv[1])))
+def check_figures(e):
+    checks = Checks("figures of an example")
+    for line in figures_of(e):
+        program, figure, *options = line.split()
+        for shape in SHAPES:
+            drawn(checks, program, figure, options, shape)
+    checks.end()
+
+
+DO = {"": print_file, "--lessons": print_lessons, "--figures": print_figures, "--slides": print_slides, "--clear": check_figures}
+DO["".join(sys.argv[2:])](example_number(int(sys.argv[1])))
