@@ -129,9 +129,6 @@ def build_class(folder: Path) -> None:
                                       upper_right="return upper_left(c) + c.width * c.right;")})
     put("waits for a later one", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
                                                       upper_left="return image_plane_vector(c, 0, 1);")})
-    put("each other", {"01-corners.c": but("01-corners",
-                                           upper_left="return upper_right(c) - c.width * c.right;",
-                                           upper_right="return upper_left(c) + c.width * c.right;")})
     put("-leading dash 'quote\" newline\n\x1b[31m =ü", {"03-screen.c": right("03-screen")})
     first, last = (zipped(("01-corners.c", text)) for text in (up_to("01-corners", "upper_right"), right("01-corners")))
     lay(folder, {"nothing/": b"", "broken.tar.gz": b"no archive", "=1+1<b>.pdf": b"%PDF-1.7\n",
