@@ -3,9 +3,9 @@
     mutate.py SEED MOST ERRORS PREPROCESSED... >MUTANTS.c
 
 The sources are a stem's solution, known mistakes and right answers in other forms, as the preprocessor prints them. A
-mutant is a line: the answer and its helpers, as far as they lead to what was changed. There are three kinds:
-every plain slip in a solution, which a test must notice; one slip or two in any answer, at most about MOST for each
-exercise, chosen at random; and right answers that call a known mistake of another exercise of the stem.
+mutant is a line: the answer and its helpers, as far as they lead to what was changed. There are two kinds:
+every plain slip in a solution, which a test must notice; and one slip or two in any answer, at most about MOST for each
+exercise, chosen at random.
 ERRORS is the compiler's output about an earlier result: the lines that it names are left out.
 """
 import random
@@ -404,19 +404,15 @@ class Pen:
 # ---- mutants ----------------------------------------------------------------------------------------
 
 class Mutant:
-    """An answer with slips: {FROM: (ITEM, TO, TEXT)}; or with mistakes in the place of what it calls: {NAME: OTHER}."""
+    """An answer with slips: {FROM: (ITEM, TO, TEXT)}."""
 
-    def __init__(self, number, entry, slips, called=None, plain=False):
+    def __init__(self, number, entry, slips, plain=False):
         self.number, self.source = number, SOURCES[number]
         self.exercise, self.label, self.item = entry
-        self.slips, self.called, self.plain = slips, called or {}, plain
+        self.slips, self.plain = slips, plain
         self.changed = {item for item, _, _ in slips.values()}
 
     def leads_to_change(self, item):
-        if self.called:
-            return item.name not in self.called and any(
-                not self.called.keys().isdisjoint(self.source.tokens[i] for i in range(each.body, each.end))
-                for each in self.source.reaches[item] if each.body)
         return not self.changed.isdisjoint(self.source.reaches[item])
 
     def function(self, mutant):
@@ -429,8 +425,6 @@ class Mutant:
 
     def change(self):
         """The old statements, and the new ones."""
-        if self.called:
-            return "; ".join(f"[[{name[len(REFERENCE):]} => {label}]]" for name, (_, label) in self.called.items())
         return "; ".join(self.statement(start, *slip) for start, slip in self.slips.items())
 
     def statement(self, start, item, end, text):
@@ -462,9 +456,7 @@ def text_of(number, item, start, end, names, mutant=None):
     if item.body and "static" not in source.tokens[item.start:item.body] and start == item.start:
         words.append("static")
     while i < end:
-        if mutant and source.tokens[i] in mutant.called and not source.is_member(i):
-            words.append(mutant.called[source.tokens[i]][0])
-        elif mutant and i in mutant.slips:
+        if mutant and i in mutant.slips:
             _, i, text = mutant.slips[i]
             before = ""
             for word in TOKEN.findall(text):
@@ -513,29 +505,13 @@ def mutants_of(number, entry, wanted):
             yield Mutant(number, entry, {start: (item, end, text) for _, item, start, end, text in (one, two)})
 
 
-def mistaken_calls(number, entry, tried):
-    """A right answer that calls each known mistake of another exercise: the first one that calls that exercise."""
-    source, exercise = SOURCES[number], entry[0]
-    if entry[1] not in (SOLUTION, RIGHT):
-        return
-    called = {source.tokens[i] for item in source.reaches[entry[2]] for i in range(item.body, item.end)
-              if source.tokens[i].startswith(REFERENCE)} - {REFERENCE + exercise} - tried.setdefault(exercise, set())
-    tried[exercise] |= called
-    for other, mistakes in enumerate(SOURCES):
-        for part, label, item in mistakes.entries:
-            if REFERENCE + part in called and label not in (SOLUTION, RIGHT):
-                yield Mutant(number, entry, {}, {REFERENCE + part: (f"{item.name}_{other}", label)})
-
-
 def all_mutants(most):
     """A solution gets half of the room of an exercise; the other answers share the rest."""
     entries = [(number, entry) for number, source in enumerate(SOURCES) for entry in source.entries]
-    tried = {}
     for number, entry in entries:
         others = sum(other[0] == entry[0] and other[1] != SOLUTION for _, other in entries)
         share = most // 2 if entry[1] == SOLUTION else max(4, most // 2 // max(1, others))
         yield from mutants_of(number, entry, share)
-        yield from mistaken_calls(number, entry, tried)
 
 
 def main(most, errors):
