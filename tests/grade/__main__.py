@@ -131,7 +131,8 @@ def report(grader: Grader, found: list, todo: list, failed: dict, given, began: 
                for submission in found]
     missing = records.count(None)
     if missing:
-        print(f"{missing} of {len(found)} submissions have no result yet: 'make grade' once more, without ONLY, writes the reports.")
+        print(f"{missing} of {len(found)} submissions have no result yet: 'make grade' once more, without ONLY, "
+              "writes the reports.")
         print(text.failures(records), end="")
         return 1
     refuse_another_week(records, members(grader.out), grader, given)
