@@ -123,7 +123,7 @@ $(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include solutions/$*.c -o $@ $<
 MISTAKEN := $(patsubst %,$(B)/tests/mistaken/%,$(sort $(foreach figure,$(FIGURE_NAMES),$(call stem_of,$(figure)))))
 $(MISTAKEN): $(B)/tests/mistaken/%: $(B)/tests/proof/mistaken_figures.o $$(call chapter_objects,$$*) $(call known,wrong) \
-		$(TESTING) $(filter-out $(REFERENCES),$(CALLED)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a
+		$(TESTING) $(filter-out $(REFERENCES),$(CALLED)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a | $(B)/exercises.names
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -Wl,--wrap=main $$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm -pthread
