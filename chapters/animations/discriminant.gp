@@ -37,11 +37,11 @@ plot $circle using (U(1,$1)):(V(1,$2)) with filledcurves closed fc rgb surface f
     $circle using (U(1,$1)):(V(1,$2)) with @lines lc rgb ink title "circle", \
     $once using (left):(axis_y):(right - left):(0) with @thin_arrow lc rgb grey title "axis", \
     $once using (p_x):(axis_y - 6):(0):(12) with vectors nohead lw 2 lc rgb blue title "t = 0", \
-    $once using (p_x):(p_y):(right - p_x):(0) with vectors nohead lw 1.2 lc rgb blue title "ray", \
+    $once using (p_x):(p_y):(right - p_x):(0) with vectors nohead lw 2 lc rgb blue title "ray", \
     $once using (left):(p_y):(p_x - left):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
     $behind @moment using (U(1,$2)):(F($3)) with @lines lc rgb grey title "f, t < 0", \
     $ahead @moment using (U(1,$2)):(F($3)) with @thick lc rgb ink title "f", \
-    $back using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
+    $back using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 3 lc rgb grey title "behind, vertical", \
     $later using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb ink title "later, vertical", \
     $used using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb blue title "used, vertical", \
     $once using (p_x):(p_y):(size[1]*v):(0) with @arrow lc rgb blue title "v", \

@@ -143,6 +143,24 @@ glass = "transparent solid 0.6"
 dot = sprintf("points pt 7 ps %g", 0.55)
 ring = sprintf("points pt 6 ps %g lw 2", 0.55)
 
+stroke = "vectors nohead lw 2.2"
+# In a grey print all hues look alike, so each has an arrowhead and a width of its own: @orange_arrow, @pink_lines, and for blue
+# and green, which have one width, '@lines lc rgb green'.
+head_of(hue, n) = hue eq "orange" ? sprintf("%g,40,90", 0.85 * n) : hue eq "green" ? sprintf("%g,27,138", 1.05 * n) : \
+    sprintf("%g,26,45", 1.25 * n)
+weight(hue) = hue eq "orange" ? 1.4 : hue eq "pink" ? 2 : 1
+headed(hue, ends, n, w) = sprintf("vectors %s filled size %s lw %g lc rgb %s", ends, head_of(hue, n), w, hue)
+weighted(hue, kind, w) = sprintf("%s lw %g lc rgb %s", kind, w * weight(hue), hue)
+do for [hue in "orange green pink"] {
+    eval hue."_arrow = headed(hue, 'head', 12, 2.2)"
+    eval hue."_thin_arrow = headed(hue, 'head', 9, 1.6)"
+    eval hue."_dimension = headed(hue, 'heads', 8, 1)"
+    eval hue."_segment = weighted(hue, 'vectors nohead', 1.2)"
+    eval hue."_stroke = weighted(hue, 'vectors nohead', 2.2)"
+    eval hue."_lines = weighted(hue, 'lines', 1.2)"
+    eval hue."_thick = weighted(hue, 'lines', 2.2)"
+}
+
 # ---- projection: from the right side of the camera, a little behind and above it -------------------
 
 # across and above are the paper's two directions, near points out of it. They are unit vectors,
@@ -204,7 +222,6 @@ $square << EOD
 0 1
 0 0
 EOD
-stroke = "vectors nohead lw 2.2"
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
 

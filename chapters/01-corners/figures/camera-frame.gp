@@ -15,13 +15,13 @@ plot $x_axis using @vector with @axis lc rgb grey title "x axis", \
     @step2 $plane index 0 using @point with filledcurves closed fc rgb surface fs @glass noborder title "surface", \
     @step3 $grid index 0 using @point with @hair lc rgb grey title "grid", \
     @step2 @who $plane index who using @point with @thick lc rgb ink dt dash(who) title "plane", \
-    @step2 @who $ahead index who using @vector with @segment lc rgb pink dt dash(who) title "ahead", \
+    @step2 @who $ahead index who using @vector with @pink_segment dt dash(who) title "ahead", \
     @step2 $ahead index 0 using @tip with @dot lc rgb pink title "middle", \
-    @step2 $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "upper edge", \
-    @step2 $right_edge index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "right edge", \
+    @step2 $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @orange_dimension title "upper edge", \
+    @step2 $right_edge index 0 using (@point_x + gap):(@point_y):@moved with @green_dimension title "right edge", \
     @step4 @who $to_corners index who using @vector with @segment lc rgb blue dt dash(who) title "to the corners", \
-    $right_arrow using @vector with @arrow lc rgb orange title "right arrow", \
-    $up_arrow using @vector with @arrow lc rgb green title "up arrow", \
-    $forward_arrow using @vector with @arrow lc rgb pink title "forward arrow", \
+    $right_arrow using @vector with @orange_arrow title "right arrow", \
+    $up_arrow using @vector with @green_arrow title "up arrow", \
+    $forward_arrow using @vector with @pink_arrow title "forward arrow", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

@@ -18,15 +18,15 @@ plot @step2 $twice_plane index 0 using @point with filledcurves closed fc rgb su
     $plane_down index 0 using @vector with vectors nohead lw 0.8 lc rgb grey title "down from the plane", \
     @step2 $twice_plane_down index 0 using @vector with vectors nohead lw 0.8 lc rgb grey title "down from twice", \
     @step3 $unit_plane_down index 0 using @vector with vectors nohead lw 0.8 lc rgb grey title "down from unit", \
-    $plane_d index 0 using @vector with @dimension lc rgb pink title "plane d", \
-    $plane_w index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "plane w", \
-    $plane_h index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "plane h", \
-    @step2 $twice_plane_d index 0 using @vector with @dimension lc rgb pink title "twice plane d", \
-    @step2 $twice_plane_w index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "twice plane w", \
-    @step2 $twice_plane_h index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "twice plane h", \
-    @step3 $unit_plane_d index 0 using @vector with @dimension lc rgb pink title "unit plane d", \
-    @step3 $unit_plane_w index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb orange title "unit plane w", \
-    @step3 $unit_plane_h index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "unit plane h", \
+    $plane_d index 0 using @vector with @pink_dimension title "plane d", \
+    $plane_w index 0 using (@point_x):(@point_y + gap):@moved with @orange_dimension title "plane w", \
+    $plane_h index 0 using (@point_x + gap):(@point_y):@moved with @green_dimension title "plane h", \
+    @step2 $twice_plane_d index 0 using @vector with @pink_dimension title "twice plane d", \
+    @step2 $twice_plane_w index 0 using (@point_x):(@point_y + gap):@moved with @orange_dimension title "twice plane w", \
+    @step2 $twice_plane_h index 0 using (@point_x + gap):(@point_y):@moved with @green_dimension title "twice plane h", \
+    @step3 $unit_plane_d index 0 using @vector with @pink_dimension title "unit plane d", \
+    @step3 $unit_plane_w index 0 using (@point_x):(@point_y + gap):@moved with @orange_dimension title "unit plane w", \
+    @step3 $unit_plane_h index 0 using (@point_x + gap):(@point_y):@moved with @green_dimension title "unit plane h", \
     @who $rays index who every ::0::3 using @vector with @segment lc rgb blue dt dash(who) title "rays", \
     @step4 @who $rays index who every ::4::4 using @vector with @arrow lc rgb blue dt dash(who) title "one ray", \
     @step4 $same_place index 0 using @point with @dot lc rgb blue title "same place", \

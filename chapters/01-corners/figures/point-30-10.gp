@@ -13,13 +13,13 @@ plot $plane index 0 using @point with filledcurves closed fc rgb surface fs soli
     $grid index 0 using @point with lines lw 0.4 lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     $column index 0 using @vector with @segment lc rgb green title "column", \
-    $row index 0 using @vector with @segment lc rgb orange title "row", \
+    $row index 0 using @vector with @orange_segment title "row", \
     $column index 0 using @tip with @dot lc rgb ink title "place", \
-    $across index 0 using (@point_x):(@point_y - gap):@moved with @dimension lc rgb orange title "across", \
-    $upward index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "upward", \
-    @step2 @who $ahead index who using @vector with @arrow lc rgb pink dt dash(who) title "ahead", \
-    @step2 @who $aside index who using @vector with @arrow lc rgb orange dt dash(who) title "aside", \
-    @step2 @who $up_or_down index who using @vector with @arrow lc rgb green dt dash(who) title "up or down", \
+    $across index 0 using (@point_x):(@point_y - gap):@moved with @orange_dimension title "across", \
+    $upward index 0 using (@point_x + gap):(@point_y):@moved with @green_dimension title "upward", \
+    @step2 @who $ahead index who using @vector with @pink_arrow dt dash(who) title "ahead", \
+    @step2 @who $aside index who using @vector with @orange_arrow dt dash(who) title "aside", \
+    @step2 @who $up_or_down index who using @vector with @green_arrow dt dash(who) title "up or down", \
     @step3 @who $vector index who using @vector with @arrow lc rgb blue dt dash(who) title "vector", \
     @step3 $vector index 0 using @tip with @dot lc rgb blue title "point", \
     $eye using @point with @dot lc rgb blue title "eye", \

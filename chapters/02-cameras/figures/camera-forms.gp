@@ -12,21 +12,20 @@ From the look-at: %s. From four points: %s. From corner and vectors: %s. From fo
 steps = 5
 
 # Each of the first four steps adds a panel. The fifth adds the cameras that were found.
-short = "vectors head filled size 9,18,90 lw 1.8"
-frame_color(i) = i == 0 ? orange : i == 1 ? green : pink
-frame_name(i) = "ruf"[i + 1:i + 1]
 found = "for [panel=1:(step >= 5 ? 4 : 0)] for [who=0:wrong]"
 
 plot for [panel=1:(step < 4 ? step : 4)] $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @found "$found".panel index who using @point with @thick lc rgb ink dt dash(who) title "found", \
-    $view index 0 using @vector with @segment lc rgb pink dt 3 title "view", \
+    $view index 0 using @vector with @pink_segment dt 3 title "view", \
     $at index 0 using @point with @dot lc rgb pink title "at", \
-    $up_arrow index 0 using @vector with @arrow lc rgb green title "up", \
+    $up_arrow index 0 using @vector with @green_arrow title "up", \
     @step2 @panel2 $points index 0 using @point with @dot lc rgb ink title "points", \
-    @step3 @panel3 $across index 0 using @vector with @arrow lc rgb orange title "across", \
-    @step3 @panel3 $upward index 0 using @vector with @arrow lc rgb green title "upward", \
+    @step3 @panel3 $across index 0 using @vector with @orange_arrow title "across", \
+    @step3 @panel3 $upward index 0 using @vector with @green_arrow title "upward", \
     @step3 @panel3 $lower_left index 0 using @point with @dot lc rgb ink title "lower left", \
     @step4 @panel4 $vectors index 0 using @vector with @arrow lc rgb blue title "vectors", \
     for [panel=1:(step < 4 ? step : 4)] $eye using @point with @dot lc rgb blue title "eye", \
-    @found for [i=0:2] "$frame".panel index who every ::i::i using @vector with @short lc rgb frame_color(i) dt dash(who) title frame_name(i), \
+    @found "$frame".panel index who every ::0::0 using @vector with @orange_thin_arrow dt dash(who) title "r", \
+    @found "$frame".panel index who every ::1::1 using @vector with @green_thin_arrow dt dash(who) title "u", \
+    @found "$frame".panel index who every ::2::2 using @vector with @pink_thin_arrow dt dash(who) title "f", \
     @labels

@@ -11,14 +11,14 @@ steps = 5
 plot @step2 $sheet using @point with filledcurves closed fc rgb surface fs solid noborder title "plane of f and up", \
     $view using @vector with @segment dt 2 lc rgb grey title "view", \
     @step2 $given_up using @vector with @arrow lc rgb ink title "up", \
-    @who $f index who using @vector with @arrow lc rgb pink dt dash(who) title "f", \
-    @step3 @who $r index who using @vector with @arrow lc rgb orange dt dash(who) title "r", \
-    @step4 @who $u index who using @vector with @arrow lc rgb green dt dash(who) title "u", \
+    @who $f index who using @vector with @pink_arrow dt dash(who) title "f", \
+    @step3 @who $r index who using @vector with @orange_arrow dt dash(who) title "r", \
+    @step4 @who $u index who using @vector with @green_arrow dt dash(who) title "u", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @step5 $other_slope using @along2 with @segment lc rgb grey title "other edge", \
     @step5 $other_half using @along2 with @segment lc rgb grey title "other half", \
     @step5 @who $slope index who using @along2 with @stroke lc rgb ink dt dash(who) title "edge", \
-    @step5 $ahead using @along2 with @stroke lc rgb pink title "d", \
-    @step5 @who $half_width index who using @along2 with @stroke lc rgb orange dt dash(who) title "half the width", \
+    @step5 $ahead using @along2 with @pink_stroke title "d", \
+    @step5 @who $half_width index who using @along2 with @orange_stroke dt dash(who) title "half the width", \
     @step5 $corner using @flat2 with @dot lc rgb blue title "eye from above", \
     @labels

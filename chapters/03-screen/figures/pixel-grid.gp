@@ -52,15 +52,15 @@ plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with fil
     $once using ((left+right_edge)/2):(top+48):(own("column")) with labels tc rgb grey title "column", \
     $rows using (left-10):(V(1,-$1-0.5)):(row_number($1)) with labels right tc rgb ink title "rows", \
     $once using (left-10):(top+18):(own("row")) with labels right tc rgb grey title "row", \
-    @step2 $square using @corners with @thick lc rgb blue title "pixel, outline", \
+    @step2 $square using @corners with @lines lc rgb blue title "pixel, outline", \
     @step3 $centers index 0 using (U(1,$1)):(V(1,-$2)) with points pt 7 ps 0.2 lc rgb grey title "centers", \
     @step3 @who $sample index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb blue title "center", \
-    @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @axis lc rgb orange title "s axis", \
+    @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @orange_thin_arrow title "s axis", \
     @step4 $once using (most(right_edge+26,AT(place_s)+66)):(bottom-34):(math("s")) with labels tc rgb orange title "s", \
-    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @stroke lc rgb orange dt dash(who) title "to s", \
+    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @orange_stroke dt dash(who) title "to s", \
     @step4 $sample index 0 using (AT($3)):(bottom-34):(place_s_text) with labels tc rgb orange title "s of the center", \
     @step4 for [end=0:2*whole-1] $once using (AT(end)):(bottom-34):(abs(end-place_s)*size[1]*screen_W<70?"":sprintf("%d",end)) with labels tc rgb orange title "s of the edge", \
-    @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @axis lc rgb green title "t axis", \
+    @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @green_thin_arrow title "t axis", \
     @step5 $once using (t_x):(top+20):(math("t")) with labels tc rgb green title "t", \
     @step5 @who $sample index who using (U(1,$1)):(V(1,-$2)):(right_edge+axis_gap-U(1,$1)):(UP($4)-V(1,-$2)) with @stroke lc rgb green dt dash(who) title "to t", \
     @step5 $sample index 0 using (right_edge+22):(UP($4)):(place_t_text) with labels left tc rgb green title "t of the center", \

@@ -18,30 +18,30 @@ upper = from_lens(0)
 lower = from_lens(-1)
 
 plot $lens using @flat2 with @here noborder title "pixel", \
-    $lens using @flat2 with @thick lc rgb blue title "pixel, outline", \
+    $lens using @flat2 with @lines lc rgb blue title "pixel, outline", \
     $display using @flat3 with @area title "screen, surface", \
     $display using @flat3 with @lines lc rgb ink title "screen", \
     $lens using @flat3 with @here border lc rgb blue title "pixel on the screen", \
     $once using @upper with @to_screen title "lens", \
     $once using @lower with @to_screen title "lens", \
     $once using (U(3,0)):(V(3,0)) with @corner lc rgb ink title "origin of the screen", \
-    @step2 @who $lens_across index who using @along2 with @stroke lc rgb orange dt dash(who) title "half across", \
+    @step2 @who $lens_across index who using @along2 with @orange_stroke dt dash(who) title "half across", \
     @step2 @who $lens_up index who using @along2 with @stroke lc rgb green dt dash(who) title "half down", \
     @step2 @who $lens_point index who using @flat2 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center under the lens", \
-    @step2 @who $display_across index who using @along3 with @stroke lc rgb orange dt dash(who) title "x of the center", \
+    @step2 @who $display_across index who using @along3 with @orange_stroke dt dash(who) title "x of the center", \
     @step2 @who $display_up index who using @along3 with @stroke lc rgb green dt dash(who) title "y of the center", \
     @step2 @who $display_point index who using @flat3 with @mark_at pt mark(who) lw 1+who lc rgb blue title "center", \
     @step3 $unit using @flat4 with @area title "square, surface", \
     @step3 $unit using @flat4 with @lines lc rgb ink title "square", \
     @step3 $once using (U(4,0)):(V(4,0)) with @corner lc rgb ink title "origin of the square", \
     @step3 $once using (U(3,screen_W)+12):(0.7*height):(U(4,0)-U(3,screen_W)-30):(0) with @arrow lc rgb ink title "mapping", \
-    @step3 @who $unit_across index who using @along4 with @stroke lc rgb orange dt dash(who) title "s", \
+    @step3 @who $unit_across index who using @along4 with @orange_stroke dt dash(who) title "s", \
     @step3 @who $unit_up index who using @along4 with @stroke lc rgb green dt dash(who) title "t", \
     @step3 @who $unit_point index who using @flat4 with @mark_at pt mark(who) lw 1+who lc rgb blue title "place", \
     @step4 $plane index 0 using @point with @area title "plane, surface", \
     @step4 $plane index 0 using @point with @lines lc rgb ink title "plane", \
     @step4 $plane every ::3::3 using @point with @corner lc rgb ink title "origin of the plane", \
-    @step4 @who $along_s index who using @vector with @stroke lc rgb orange dt dash(who) title "s on the plane", \
+    @step4 @who $along_s index who using @vector with @orange_stroke dt dash(who) title "s on the plane", \
     @step4 @who $along_t index who using @vector with @stroke lc rgb green dt dash(who) title "t on the plane", \
     @step5 @who $ray index who using @vector with @axis lc rgb blue dt dash(who) title "ray", \
     @step4 @who $vector index who using @vector with @arrow lc rgb blue dt dash(who) title "vector", \

@@ -44,11 +44,11 @@ plot for [i=1:4] @one using (left_of(i + 1)):(104):(0):(356) with vectors nohead
     for [i=1:last] @one using (left_of(i) + 8):(axis):(column - 16):(0) with @thin_arrow lc rgb grey title "axis", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 5):(0):(10) with vectors nohead lw 2 lc rgb blue title "t = 0", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis + (i == 4 ? 20 : -20)):("0") with labels tc rgb blue title "t = 0, label", \
-    for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \
+    for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 2 lc rgb blue title "ray", \
     for [i=1:last] $rays using (only(i,$1,U(i,$6-1.75*r))):(V(i,$3)):(size[1]*($2-$6+1.75*r)):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
     @who for [i=1:last] $behind index who using (only(i,$1,U(i,$2))):(F($3)) with @lines lc rgb grey dt dash(who) title "f, t < 0", \
     @who for [i=1:last] $ahead index who using (only(i,$1,U(i,$2))):(F($3)) with @thick lc rgb ink dt dash(who) title "f", \
-    for [i=1:last] $back index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
+    for [i=1:last] $back index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 3 lc rgb grey title "behind, vertical", \
     for [i=1:last] $later index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb ink title "later, vertical", \
     for [i=1:last] $used index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb blue title "used, vertical", \
     for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \

@@ -14,9 +14,9 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     $behind index wrong using @point with @lines lc rgb grey dt 3 title "behind p", \
     $ahead index wrong using @point with lines lw 1.6 lc rgb blue title "p + t v", \
     for [_=1:step >= 2 && near_p] $l index wrong using @vector with @arrow lc rgb ink title "L", \
-    for [_=1:step >= 3 && near_p] $closest index wrong using @vector with @arrow lc rgb green title "s", \
-    @step4 $height index 0 using @vector with vectors nohead lw 2 lc rgb pink title "m", \
-    @step4 $corner using @point with @lines lc rgb grey title "right angle", \
+    for [_=1:step >= 3 && near_p] $closest index wrong using @vector with @green_arrow title "s", \
+    @step4 $height index 0 using @vector with @stroke lc rgb pink title "m", \
+    @step4 $corner using @point with @hair lc rgb grey title "right angle", \
     @step5 $half_chord index 0 using @vector with vectors nohead lw 3 lc rgb orange title "k", \
     @step5 $spoke using @vector with @thin_arrow lc rgb ink title "r", \
     $center using @point with @dot lc rgb ink title "C", \

@@ -10,15 +10,15 @@ steps = 3
 
 
 plot $ground using @along1 with @stroke lc rgb ink title "surface", \
-    $normal using @along1 with @arrow lc rgb green title "normal", \
-    for [_=1:arrives] $middle using @along1 with @segment dt 3 lc rgb orange title "l", \
+    $normal using @along1 with @green_arrow title "normal", \
+    for [_=1:arrives] $middle using @along1 with @orange_segment dt 3 title "l", \
     for [_=1:arrives] $theta using @flat1 with @lines lc rgb orange title "theta", \
-    for [_=1:arrives] @who $beam_edges index who using @along1 with @arrow lc rgb orange dt dash(who) title "beam", \
+    for [_=1:arrives] @who $beam_edges index who using @along1 with @orange_arrow dt dash(who) title "beam", \
     for [_=1:arrives] $across using @along1 with @dimension lc rgb ink title "across", \
-    for [_=1:step >= 2 && arrives] @who $on_surface index who using @along1 with vectors nohead lw 5 lc rgb orange dt dash(who) title "on the surface", \
+    for [_=1:step >= 2 && arrives] @who $on_surface index who using @along1 with vectors nohead lw 6 lc rgb orange dt dash(who) title "on the surface", \
     @step3 $ground2 using @along2 with @stroke lc rgb ink title "surface, right", \
     @step3 @who $wide_lobe index who using @flat2 with @thick lc rgb blue dt dash(who) title "wide lobe", \
-    @step3 @who $narrow_lobe index who using @flat2 with @thick lc rgb pink dt dash(who) title "narrow lobe", \
-    @step3 $n2 using @along2 with @arrow lc rgb green title "n, right", \
-    @step3 $l2 using @along2 with @arrow lc rgb orange title "l, right", \
+    @step3 @who $narrow_lobe index who using @flat2 with @pink_thick dt dash(who) title "narrow lobe", \
+    @step3 $n2 using @along2 with @green_arrow title "n, right", \
+    @step3 $l2 using @along2 with @orange_arrow title "l, right", \
     @labels

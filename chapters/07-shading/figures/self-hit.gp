@@ -25,7 +25,7 @@ missed = "points pt 2 ps 1.1 lw 3.4"
 
 plot $cap_1 using @flat1 with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
     $cap_1 using @flat1 with @thick lc rgb ink title "surface", \
-    $seen_1 using @along1 with @arrow lc rgb grey title "seen", \
+    $seen_1 using @along1 with @thin_arrow lc rgb grey title "seen", \
     $wanted using @along1 with vectors nohead lw 1.6 dt 3 lc rgb grey title "to the light, wanted", \
     $light_1 using @flat1 with @spot lc rgb ink title "light", \
     $point using @flat1 with @dot lc rgb grey title "point", \
@@ -36,9 +36,9 @@ plot $cap_1 using @flat1 with filledcurves closed fc rgb surface fs solid nobord
     @step3 for [k=1:3] $once using (30+wide):(line(k)):(said[k]) with labels left tc rgb ink title sprintf("words %d", k), \
     @step4 $cap_2 using @flat2 with filledcurves closed fc rgb surface fs solid noborder title "sphere, right", \
     @step4 $cap_2 using @flat2 with @thick lc rgb ink title "surface, right", \
-    @step4 $seen_2 using @along2 with @arrow lc rgb grey title "seen, right", \
+    @step4 $seen_2 using @along2 with @thin_arrow lc rgb grey title "seen, right", \
     @step4 $light_2 using @flat2 with @spot lc rgb ink title "light, right", \
-    @step4 $normal using @along2 with @arrow lc rgb green title "normal", \
+    @step4 $normal using @along2 with @green_arrow title "normal", \
     @step4 $to_light using @along2 with @arrow lc rgb blue title "from the start", \
     @step4 $outside using @flat2 with points pt 7 ps 0.7 lc rgb blue title "start", \
     @step4 for [number=2:2] @at_the_edge title cast_title(2, "smooth"), \

@@ -10,10 +10,10 @@ spot = "points pt 3 ps 0.7 lw 2"
 
 plot for [i=0:2] "$ball".i using @flat1 with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
     for [i=0:2] "$ball".i using @flat1 with @lines lc rgb ink title "outline", \
-    @who $seen index who using @along1 with @arrow lc rgb grey dt dash(who) title "seen", \
-    @who $n index who using @along1 with @arrow lc rgb green dt dash(who) title "n", \
+    @who $seen index who using @along1 with @thin_arrow lc rgb grey dt dash(who) title "seen", \
+    @who $n index who using @along1 with @green_arrow dt dash(who) title "n", \
     @step2 $to_light index wrong using @along1 with @segment dt 3 lc rgb grey title "to the light", \
-    @step2 @who $lit index who using @along1 with @arrow lc rgb orange dt dash(who) title "shadow ray", \
+    @step2 @who $lit index who using @along1 with @orange_arrow dt dash(who) title "shadow ray", \
     @step3 @who $mirrored index who using @along1 with @arrow lc rgb blue dt dash(who) title "mirrored ray", \
     $point index 0 using @flat1 with @dot lc rgb ink title "point", \
     $eye using @flat1 with @dot lc rgb blue title "eye", \

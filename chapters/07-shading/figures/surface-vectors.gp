@@ -9,13 +9,13 @@ steps = 4
 
 plot $surface using @flat1 with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
     $surface using @flat1 with @thick lc rgb ink title "surface", \
-    @who $n index who using @along1 with @arrow lc rgb green dt dash(who) title "n", \
-    @step2 @who $theta index who using @flat1 with @lines lc rgb orange dt dash(who) title "theta", \
-    @step2 @who $l index who using @along1 with @arrow lc rgb orange dt dash(who) title "l", \
+    @who $n index who using @along1 with @green_arrow dt dash(who) title "n", \
+    @step2 @who $theta index who using @flat1 with @orange_lines dt dash(who) title "theta", \
+    @step2 @who $l index who using @along1 with @orange_arrow dt dash(who) title "l", \
     @step3 @who $alpha index who using @flat1 with @lines lc rgb blue dt dash(who) title "alpha", \
-    @step3 @who $m index who using @along1 with @arrow lc rgb orange dt dash(who) title "m", \
+    @step3 @who $m index who using @along1 with @orange_arrow dt dash(who) title "m", \
     @step3 @who $e index who using @along1 with @arrow lc rgb blue dt dash(who) title "e", \
-    @step4 @who $beta index who using @flat1 with @lines lc rgb pink dt dash(who) title "beta", \
-    @step4 @who $h index who using @along1 with @arrow lc rgb pink dt dash(who) title "h", \
+    @step4 @who $beta index who using @flat1 with @pink_lines dt dash(who) title "beta", \
+    @step4 @who $h index who using @along1 with @pink_arrow dt dash(who) title "h", \
     $point using @flat1 with @dot lc rgb ink title "point", \
     @labels

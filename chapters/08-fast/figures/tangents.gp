@@ -14,8 +14,8 @@ plot $circle using @flat1 with filledcurves closed fc rgb surface fs solid nobor
     @step2 $ahead using @along1 with @dimension lc rgb grey title "z", \
     @step2 $aside using @along1 with @dimension lc rgb grey title "x", \
     @step2 $radius using @along1 with @thin_arrow lc rgb ink title "r", \
-    for [_=1:step >= 3 && !nothing] @who $left_line index who using @along1 with vectors nohead lw 2.2 lc rgb orange dt dash(who) title "left line", \
-    for [_=1:step >= 3 && !nothing] @who $right_line index who using @along1 with vectors nohead lw 2.2 lc rgb green dt dash(who) title "right line", \
+    for [_=1:step >= 3 && !nothing] @who $left_line index who using @along1 with @orange_stroke dt dash(who) title "left line", \
+    for [_=1:step >= 3 && !nothing] @who $right_line index who using @along1 with @stroke lc rgb green dt dash(who) title "right line", \
     for [_=1:step >= 3 && !nothing] $left_radius index 0 using @along1 with @segment dt 2 lc rgb grey title "to the left line", \
     for [_=1:step >= 3 && !nothing] $right_radius index 0 using @along1 with @segment dt 2 lc rgb grey title "to the right line", \
     for [_=1:step >= 4 && !nothing] @who $left_mark index who using @flat1 with points pt mark(who) ps 0.55 lc rgb orange title "left", \

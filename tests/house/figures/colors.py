@@ -1,5 +1,8 @@
-"""colors.py - the colors of both themes can be read, and told apart, also by who sees fewer of them."""
+"""colors.py - the colors of both themes can be read, and told apart, also by who sees fewer of them; lines also in grey."""
+import itertools
 import math
+import pathlib
+import re
 import subprocess
 
 from check import Checks, color, contrast, linear
@@ -7,6 +10,8 @@ from check import Checks, color, contrast, linear
 INKS = ("ink", "grey", "blue", "orange", "green", "pink")
 LEGIBLE = 4.5
 APART = 15  # in CIELAB, where about 2 can be told apart side by side
+LAYOUTS = ("chapters/*/figures", "chapters/animations", "tests/judge/layouts")
+WIDER = 1.35  # so much wider a line is another one
 
 # What linear red, green and blue become for others (Machado, Oliveira and Fernandes 2009, severity 1).
 SEEN = {"everybody": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
@@ -28,12 +33,16 @@ def lab(rgb):
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 
 
+def variables(name):
+    """Those of common/figure/plot.gp and section.gp, read by gnuplot itself."""
+    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; "
+                           "load 'common/figure/section.gp'; show variables all"], capture_output=True, text=True, check=True, timeout=60)
+    return dict(re.findall(r'^\s*(\w+) = "(.*)"$', done.stderr, re.M))
+
+
 def theme(checks, name):
-    """The colors of common/figure/plot.gp, read by gnuplot itself."""
-    words = "; ".join(f'print "{each} ".{each}' for each in (*INKS, "background", "surface"))
-    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; {words}"],
-                          capture_output=True, text=True, check=True, timeout=60)
-    colors = {each: color(code) for each, code in map(str.split, done.stderr.splitlines())}
+    known = variables(name)
+    colors = {each: color(known[each]) for each in (*INKS, "background", "surface")}
     for i, ink in enumerate(INKS):
         for ground in ("background", "surface"):
             ratio = contrast(colors[ink], colors[ground])
@@ -42,6 +51,24 @@ def theme(checks, name):
             for who, matrix in SEEN.items():
                 away = math.dist(*(lab(changed(matrix, linear(colors[each]))) for each in (ink, other)))
                 checks.that(f"{name}, {who}: {ink} is not {other}", away >= APART, f"{away:.1f} apart, expected {APART}")
+    grey = {ink: lab(linear(colors[ink]))[0] for ink in INKS}
+    for layout in sorted(layout for there in LAYOUTS for layout in pathlib.Path().glob(f"{there}/*.gp")):
+        alike = {(a[0], b[0]) for a, b in itertools.combinations(kinds_of_lines(layout.read_text(encoding="utf-8"), known), 2)
+                 if a[0] != b[0] and abs(grey[a[0]] - grey[b[0]]) < APART and a[2:] == b[2:] and max(a[1], b[1]) < WIDER * min(a[1], b[1])}
+        checks.that(f"{name}: {layout}, in grey all kinds of lines can be told apart", not alike, f"{alike}")
+
+
+def kinds_of_lines(script, known):
+    """Of each line and arrow of a layout: its color, width, head and dashes."""
+    script = script.replace("\\\n", " ")
+    known = {**known, **dict(re.findall(r'^(\w+) = "(.*)"$', script, re.M))}
+    for _ in range(3):
+        script = re.sub(r"@(\w+)", lambda name: known.get(name[1], ""), script)
+    for style in re.findall(r" with ((?:lines|vectors) .*?)(?: title |$)", script, re.M):
+        ink = re.search(r"\blc rgb \(?(?:who == 0 \? )?(\w+)", style)
+        if ink and ink[1] in INKS:
+            width, head, dashes = (re.search(rf"\b{what}", style) for what in (r"lw ([\d.]+)", r"heads? .*?size ([\d.,]+)", r"dt (\(.*?\)|\d)"))
+            yield ink[1], float(width[1]) if width else 1, head and head[1], dashes and dashes[1]
 
 
 def main():
