@@ -236,10 +236,8 @@ BOOK_TOLD := $(WASM)/told
 $(BOOK_TOLD): FORCE
 	@mkdir -p $(@D); echo '$(HAND_IN) $(ADDRESS)' | cmp -s - $@ || echo '$(HAND_IN) $(ADDRESS)' > $@
 # What a shared link shows.
-$(BOOK)/share.png: $(B)/scenes/finale.nff | $(B)/solutions/$(ENGINE_CHAPTER)
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(B)/solutions/$(ENGINE_CHAPTER) --shaded --samples 2 --threads 2 -s 1200x630 -o $@ $< 2>/dev/null
+$(BOOK)/share.png: chapters/07-shading/finale.png
+	$(Q)mkdir -p $(@D) && cp $< $@
 $(BOOK)/service_worker.js: $(BOOK)/share.png
 BOOK_STAMP := $(BOOK)-pages
 # FROM=handout: the pages are those of the handout.
@@ -254,7 +252,7 @@ BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapter
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
 # The slides of the lecture: chapters/slides.txt, and each step of their figures. Films are those of 'make animations'.
 BOOK_LECTURE := build/book-lecture.html
-$(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $$(QUESTIONS) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) $(DRAWN)
+$(BOOK_LECTURE): $(SLIDE_SOURCES) chapters/slides/lecture_page.py $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) $(DRAWN)
 	@export FORMAT=svg THEME= STEPS=1; SHAPE=4:3 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(NARROW_FIGURES) && \
 		SHAPE=16:9 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(WIDE_FIGURES)
 	$(Q)$(PYTHON) chapters/slides/lecture_page.py $(SLIDES) $(LECTURE)/numbers.json $(DRAWN_FIGURES) $(QUESTIONS) > $@

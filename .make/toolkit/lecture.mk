@@ -8,8 +8,10 @@
 SLIDES ?= chapters/slides.txt
 LECTURE := $(BUILT)/slides
 SLIDES_NAME := $(notdir $(basename $(SLIDES)))
+# Questions to the class, as a lecture: slides ask some of them, and lecture.html has all after each part.
+QUESTIONS := $(B)/questions/questions.txt
 # ADDRESS=address: where the site is, for the codes on slides.
-MAKE_SLIDES := ADDRESS='$(ADDRESS)' $(PYTHON) chapters/slides/make_slides.py
+MAKE_SLIDES := ADDRESS='$(ADDRESS)' QUESTIONS='$(QUESTIONS)' $(PYTHON) chapters/slides/make_slides.py
 ifneq ($(filter slides book check-book,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(SLIDES)),)
 $(error SLIDES=$(SLIDES): no such file)
@@ -45,7 +47,7 @@ $(SLIDES_TOLD): FORCE
 	@mkdir -p $(@D); echo '$(ADDRESS)' | cmp -s - $@ || echo '$(ADDRESS)' > $@
 
 # The tests of slides need what is compared.
-check-all check-long: $(LECTURE)/numbers.json
+check-all check-long: $(LECTURE)/numbers.json $(QUESTIONS)
 
 slides-ready:
 	@$(MAKE_SLIDES) --ready
@@ -56,7 +58,7 @@ slides-figures: $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGUR
 
 # name_of_slides SHAPE,SUFFIX; slides_rule SHAPE,SUFFIX,THEME; paper_rule SHAPE,VERSION
 name_of_slides = $(LECTURE)/$(SLIDES_NAME)$(if $(filter 4:3,$(1)),-4x3)$(2).pdf
-SLIDE_SOURCES := $(SLIDES) $(wildcard chapters/slides/*.py chapters/slides/*.sty) $(LECTURE)/numbers.json
+SLIDE_SOURCES := $(SLIDES) $(wildcard chapters/slides/*.py chapters/slides/*.sty) $(LECTURE)/numbers.json $(QUESTIONS)
 define slides_rule
 SLIDE_PDFS += $(call name_of_slides,$(1),$(2))
 $(call name_of_slides,$(1),$(2)): $(SLIDE_SOURCES) $(SLIDES_TOLD) $(call script_of,$(DRAWN_FIGURES),$(NARROW_FIGURES) $(WIDE_FIGURES)) | slides-figures
@@ -221,8 +223,6 @@ mistake: $$(MISTAKEN) $(call script_of,$(B)/solutions/figures,$(FIGURE_NAMES)) #
 	@$(if $(NAME),$(SHOW_MISTAKES) show $(B) '$(NAME)',echo "make mistake NAME=no-flip: which? 'make mistakes' lists them" >&2; exit 2)
 mistakes: $$(MISTAKEN) ##+ the known mistakes that have names, and a page with their pictures
 	@$(SHOW_MISTAKES) list $(B)
-# Questions to the class, as a lecture: lecture.html has them after each part.
-QUESTIONS := $(B)/questions/questions.txt
 $(QUESTIONS): chapters/mistakes/questions.txt chapters/mistakes/show_mistakes.py | $(B)/tests/mistaken/06-ray-casting $(B)/tests/mistaken/07-shading
 	$(call say,ask,$@)
 	$(Q)$(SHOW_MISTAKES) questions $(B)

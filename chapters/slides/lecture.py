@@ -9,6 +9,7 @@
     figure: NAME [STEP] [below]   beside the words, or below them; from its first step, or another one on
     picture: FILE.png [FILE.png] [below]
     film: NAME                    of 'make animations'; only a page shows it
+    ask: FUNCTION                 what else it shows is the first question to the class about that function ('make questions')
     added                         the deck does not have it
     code                          for phones: the address of its figure on the site, if make is told ADDRESS
     - words                       items, a line each: "- " and "  - " of a list, "? " a question, "! " an answer,
@@ -27,7 +28,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1] / "lessons"))
 from fill import as_latex, in_formulas
 
-KEYS = ("name", "minutes", "exercise", "figure", "picture", "film")
+KEYS = ("name", "minutes", "exercise", "figure", "picture", "film", "ask")
 # How a paragraph of the notes may begin, and how it is shown.
 LABELS = ("Ask", "The deck leaves out", "Our correction")
 
@@ -71,6 +72,7 @@ class Slide:
     figure: str = ""
     picture: str = ""
     film: str = ""
+    ask: str = ""
     below: bool = False
     added: bool = False
     code: bool = False
@@ -114,8 +116,8 @@ class Lecture:
 
 
 class Reader:
-    def __init__(self, path, numbers):
-        self.path, self.numbers, self.line = path, numbers, 0
+    def __init__(self, path, numbers, questions):
+        self.path, self.numbers, self.questions, self.line = path, numbers, questions, 0
         self.part, self.slides, self.in_notes = "", [], False
 
     def wrong(self, words):
@@ -193,6 +195,14 @@ class Reader:
         if slide.figure and slide.picture:
             raise self.wrong("a slide has a figure or a picture, not both")
 
+    def put_question(self, slide):
+        found = next((each for each in self.questions.slides if each.exercise.endswith(f" {slide.ask}")), None)
+        if not found:
+            self.line = slide.line
+            raise self.wrong(f"ask: {slide.ask}: no question is about it, chapters/mistakes/questions.txt has them")
+        for what in ("exercise", "picture", "added", "pages", "notes"):
+            setattr(slide, what, getattr(found, what))
+
     def read(self):
         lines = Path(self.path).read_text(encoding="utf-8").splitlines()
         about, title = {}, lines[0] if lines else ""
@@ -211,11 +221,13 @@ class Reader:
                     self.numbers[key] = about[key]
         for slide in self.slides:
             self.check(slide)
+            if slide.ask and self.questions:
+                self.put_question(slide)
         if not self.slides:
             raise Wrong(f"{self.path}: no slide in it, expected lines that begin with '= '")
         return Lecture(title, about, self.slides)
 
 
-def read(path, numbers=None):
-    """Without numbers, a number's name stays in its place."""
-    return Reader(path, numbers).read()
+def read(path, numbers=None, questions=None):
+    """Without numbers, a number's name stays in its place; without another lecture of questions, those to ask are empty."""
+    return Reader(path, numbers, questions).read()

@@ -2,7 +2,7 @@
 
     lecture_page.py LECTURE NUMBERS.json FIGURES QUESTIONS
 
-QUESTIONS is another lecture: after each part come its slides of the part of that name. Each page of the slides is a section. What it does not show yet is there, but hidden, so all pages of a slide look alike.
+QUESTIONS is another lecture: after each part come its slides of the part of that name, but for those that are in it. Each page of the slides is a section. What it does not show yet is there, but hidden, so all pages of a slide look alike.
 Mathematics stays TeX, in elements <math-tex>, which chapters/book/site/lecture.mjs typesets. FIGURES has the words of
 each figure, NAME/NAME.txt, and its script, which names its layout.
 """
@@ -38,7 +38,9 @@ def item(each, hidden):
 
 class LecturePage:
     def __init__(self, lecture, figures, questions):
-        self.lecture, self.figures, self.questions = lecture, figures, questions.slides
+        self.lecture, self.figures = lecture, figures
+        asked = {slide.picture for slide in lecture.slides}
+        self.questions = [slide for slide in questions.slides if slide.picture not in asked]
 
     def stem(self, figure):
         """The chapter whose program draws a figure: the folder of its layout."""
@@ -95,8 +97,8 @@ class LecturePage:
 
 def main(path, numbers, figures, questions):
     try:
-        lecture = lectures.read(path, json.loads(Path(numbers).read_text(encoding="utf-8")))
         questions = lectures.read(questions)
+        lecture = lectures.read(path, json.loads(Path(numbers).read_text(encoding="utf-8")), questions)
     except lectures.Wrong as error:
         sys.exit(str(error))
     sys.stdout.reconfigure(encoding="utf-8")

@@ -6,7 +6,8 @@
     make_slides.py LECTURE NUMBERS.json SLIDES.pdf SHAPE VERSION OUTPUT.pdf
 
 SHAPE 16:9 or 4:3; THEME light or dark. VERSION: what is made of light slides for paper or for two screens: handout,
-questions or notes. In the environment: ADDRESS, where the site is. The same sources give the same bytes.
+questions or notes. In the environment: ADDRESS, where the site is; QUESTIONS, a lecture of those that slides ask the class. The
+same sources give the same bytes.
 """
 import json
 import os
@@ -201,7 +202,8 @@ def main(arguments):
         print("\n".join(sorted({f"{slide.figure}:{'below' if slide.below else 'beside'}" for slide in slides if slide.figure})))
         return None
     path, numbers, drawn, shape, kind, output = arguments
-    lecture = lectures.read(path, json.loads(Path(numbers).read_text(encoding="utf-8")))
+    questions = lectures.read(os.environ["QUESTIONS"]) if "QUESTIONS" in os.environ else None
+    lecture = lectures.read(path, json.loads(Path(numbers).read_text(encoding="utf-8")), questions)
     slides, style = Slides(lecture, shape), Path(__file__).parent
     if kind in ("light", "dark"):
         run_latex(slides.slides(Path(drawn), kind), Path(output), [style, drawn, *sorted(Path(drawn).glob("*/"))])

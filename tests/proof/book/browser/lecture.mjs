@@ -47,7 +47,7 @@ test("a question is shown before its answer", async () => {
 
 test("each part ends with a question to the class, whose answer is not among its first words", async () => {
     const parts = [...new Set([...html.matchAll(/<span>([^<]*) · \d+ of \d+</g)].map(([, part]) => part))].slice(1);
-    const asked = [...html.matchAll(/<section [^>]*id="(ask-[^"/]*)"[^]*?<span>([^<]*) · question</g)];
+    const asked = [...html.matchAll(/<section [^>]*id="((?:ask|vote)-[^"/]*)"[^]*?<span>([^<]*) · [^<]*</g)];
     assert.deepEqual([...new Set(asked.map(([, , part]) => part))], parts);
     const tab = await open(`#${asked[0][1]}`);
     const before = (await shown(tab)).words;
