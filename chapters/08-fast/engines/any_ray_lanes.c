@@ -8,6 +8,8 @@
 #include <limits.h>
 #ifdef __AVX512F__
 #include <immintrin.h>
+#elif defined __wasm_simd128__
+#include <wasm_simd128.h>
 #endif
 
 // ---- boxes and spheres, in floats -------------------------------------------------------------
@@ -20,22 +22,28 @@ typedef struct {
 } Slopes;
 
 // Never 1 / 0: infinity times 0 would be NaN.
+static inline float inverse_of(float direction)
+{
+    const float tiny = 1e-18F;
+    return 1 / (fabsf(direction) < tiny ? tiny : direction);
+}
+
+// Whole vectors are set, because one that is read soon after its lanes were written waits for them.
 static inline void set_slopes(Slopes *slopes, const WideHierarchy *wide, Vector from, Vector v)
 {
     from = times(wide->scale, minus(from, vector_at(wide->corner)));
-    const double at[] = {from.x, from.y, from.z};
-    const float directions[] = {(float)v.x, (float)v.y, (float)v.z}, tiny = 1e-18F;
-    *slopes = (Slopes){0};
-    for (int i = 0; i < 3; i++) {
-        const float start = (float)at[i], direction = directions[i];
-        const bool backwards = direction <= -tiny;
-        slopes->start[i] = start;
-        slopes->rest[i] = (float)(at[i] - start);
-        slopes->direction[i] = direction;
-        slopes->inverse[i] = 1 / (fabsf(direction) < tiny ? tiny : direction);
-        slopes->first[i] = LANES * (2 * i + backwards);
-        slopes->last[i] = LANES * (2 * i + !backwards);
-    }
+    const Four start = {(float)from.x, (float)from.y, (float)from.z};
+    const Four direction = {(float)v.x, (float)v.y, (float)v.z};
+    const Four inverse = {inverse_of(direction[0]), inverse_of(direction[1]),
+                          inverse_of(direction[2])};
+    const FourInts backwards = inverse < 0, axes = {0, 2 * LANES, 4 * LANES};
+    slopes->start = start;
+    slopes->rest =
+        (Four){(float)(from.x - start[0]), (float)(from.y - start[1]), (float)(from.z - start[2])};
+    slopes->direction = direction;
+    slopes->inverse = inverse;
+    slopes->first = axes - LANES * backwards;
+    slopes->last = axes + LANES * (1 + backwards);
 }
 
 // Where the ray enters the boxes of a node; infinite if it does not enter before farthest. The
@@ -54,9 +62,9 @@ static inline void enter(const Slopes *slopes, const WideNode *node, float farth
         float begin = x[i] * ix - from_x, end = xx[i] * ix - from_x;
         float begin_y = y[i] * iy - from_y, end_y = yy[i] * iy - from_y;
         float begin_z = z[i] * iz - from_z, end_z = zz[i] * iz - from_z;
-        begin = begin > 0 ? begin : 0;
-        begin = begin_y > begin ? begin_y : begin;
-        begin = begin_z > begin ? begin_z : begin;
+        begin = 0 < begin ? begin : 0;
+        begin = begin < begin_y ? begin_y : begin;
+        begin = begin < begin_z ? begin_z : begin;
         end = end_y < end ? end_y : end;
         end = end_z < end ? end_z : end;
         end = farthest < end ? farthest : end; // NaN stays: a ray of NaN enters no box
@@ -84,12 +92,17 @@ static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, floa
         float d = r * r - (ax * ax + ay * ay + az * az);
         // How far the middle of the chord is outside of the part that counts.
         float inside = along < farthest ? along : farthest;
-        inside = inside > 0 ? inside : 0;
+        inside = 0 < inside ? inside : 0;
         float out = along - inside;
         may[i] = out * out <= d ? -1 : 0;
     }
 #ifdef __AVX512F__ // one instruction, which compilers do not find
     return _mm512_movepi32_mask(_mm512_load_si512(may));
+#elif defined __wasm_simd128__
+    unsigned bits = 0;
+    for (int i = 0; i < LANES; i += 4)
+        bits |= wasm_i32x4_bitmask(wasm_v128_load(may + i)) << i;
+    return bits;
 #else
     unsigned bits = 0;
     for (int i = 0; i < LANES; i++)
@@ -108,6 +121,13 @@ static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, floa
 typedef struct {
     double begin, end;
 } Meeting;
+
+// For most spheres no root is needed to know that the ray misses them.
+static inline bool passes(Vector p, double r, Vector v)
+{
+    const double rr = r * r, along = dot(p, v), pp = dot(p, p);
+    return rr - pp + along * along + MARGIN * (pp + rr) < 0;
+}
 
 // A sphere of radius r around p, seen from where the ray starts; v has length 1.
 static inline Meeting meet(Vector p, double r, Vector v)
@@ -200,10 +220,28 @@ static void find_cells(const Bins *bins, const Rays *rays, int *cells)
 // Ray i asks a sphere, unless it certainly misses that.
 static inline int ask_place(const WideHierarchy *wide, int place, const Starts *starts, int i)
 {
-    if (place == starts->missed[i])
+    const double *sphere = wide->numbers + 4 * (size_t)place;
+    const Vector p = minus(vector_at(sphere), get(starts->origin, i));
+    const Vector v = get(&starts->direction, i);
+    if (place == starts->missed[i] || passes(p, sphere[3], v))
         return NO_PLACE;
-    const Meeting meeting = meet_place(wide, place, starts, i);
-    return hides(meeting, place, starts->reach[i]);
+    return hides(meet(p, sphere[3], v), place, starts->reach[i]);
+}
+
+// All rays ask one sphere.
+static void ask_giant(const WideHierarchy *wide, int place, const Starts *starts, int count,
+                      int *answers)
+{
+    double begin[PATHS], end[PATHS];
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        const Meeting meeting = meet_place(wide, place, starts, i);
+        begin[i] = meeting.begin;
+        end[i] = meeting.end;
+    }
+    for (int i = 0; i < count; i++)
+        if (answers[i] == NO_PLACE && place != starts->missed[i])
+            answers[i] = hides((Meeting){begin[i], end[i]}, place, starts->reach[i]);
 }
 
 // The rays ask the giants, and the spheres of their cells as far as they are nearer to the light
@@ -224,10 +262,10 @@ static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *start
     }
     for (int i = 0; i < rays->count; i++)
         __builtin_prefetch(&wide->numbers[4 * (size_t)sphere_of(*shown[i])]);
+    for (int k = 0; k < grid->giant_count; k++)
+        ask_giant(wide, grid->giants[k], starts, rays->count, answers);
     for (int i = 0; i < rays->count; i++) {
         const float reach = (float)(starts->reach[i] * (1 + 1e-6));
-        for (int k = 0; k < grid->giant_count && answers[i] == NO_PLACE; k++)
-            answers[i] = ask_place(wide, grid->giants[k], starts, i);
         const Item *at = shown[i];
         for (; at < end[i] && near_of(*at) <= reach && answers[i] == NO_PLACE; at++)
             answers[i] = ask_place(wide, sphere_of(*at), starts, i);
@@ -238,7 +276,7 @@ static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *start
 
 // A ray on its way: boxes to enter, in no order, and the nearest hit so far. After the last box all
 // distances are infinite, and there is room for those of another node.
-enum { MOST_WAITING = 48 };
+enum { INDICES = 64, MOST_WAITING = INDICES - LANES };
 typedef struct {
     union {
         alignas(64) float near[MOST_WAITING + LANES];
@@ -254,6 +292,20 @@ typedef struct {
     double begin, end, rival; // bounds of the nearest certain hit, and of all others
     double enough;            // a hit that certainly ends before this suffices
 } Walker;
+
+#ifdef __wasm_simd128__
+// For 4 bits, one for each box that a ray enters: the bytes of these boxes, then of the others.
+#define BYTES(box) 4 * box, 4 * box + 1, 4 * box + 2, 4 * box + 3
+#define ORDER(a, b, c, d)                                                                          \
+    {                                                                                              \
+        BYTES(a), BYTES(b), BYTES(c), BYTES(d)                                                     \
+    }
+static const alignas(16) uint8_t entered_first[16][16] = {
+    ORDER(0, 1, 2, 3), ORDER(0, 1, 2, 3), ORDER(1, 0, 2, 3), ORDER(0, 1, 2, 3),
+    ORDER(2, 0, 1, 3), ORDER(0, 2, 1, 3), ORDER(1, 2, 0, 3), ORDER(0, 1, 2, 3),
+    ORDER(3, 0, 1, 2), ORDER(0, 3, 1, 2), ORDER(1, 3, 0, 2), ORDER(0, 1, 3, 2),
+    ORDER(2, 3, 0, 1), ORDER(0, 2, 3, 1), ORDER(1, 2, 3, 0), ORDER(0, 1, 2, 3)};
+#endif
 
 // Adds the boxes of a node that the ray enters, without an 'if', because no processor can predict
 // them. AVX-512 packs them with one instruction, which compilers do not find.
@@ -271,6 +323,17 @@ static inline void add_boxes(Walker *walker, const WideNode *node, const float *
     _mm512_storeu_ps(walker->near + count, _mm512_mask_compress_ps(none, entered, found));
     _mm512_storeu_si512(walker->box + count, boxes);
     walker->count = count + __builtin_popcount(entered);
+#elif defined __wasm_simd128__
+    const v128_t none = wasm_f32x4_splat(INFINITY);
+    for (int i = 0; i < LANES; i += 4) {
+        const v128_t found = wasm_v128_load(near + i), boxes = wasm_v128_load(node->below + i);
+        const uint32_t entered = wasm_i32x4_bitmask(wasm_f32x4_lt(found, none));
+        const v128_t order = wasm_v128_load(entered_first[entered]);
+        wasm_v128_store(walker->near + count, wasm_i8x16_swizzle(found, order));
+        wasm_v128_store(walker->box + count, wasm_i8x16_swizzle(boxes, order));
+        count += __builtin_popcount(entered);
+    }
+    walker->count = count;
 #else
     for (int i = 0; i < LANES; i++) {
         walker->near[count] = near[i];
@@ -281,18 +344,26 @@ static inline void add_boxes(Walker *walker, const WideNode *node, const float *
 #endif
 }
 
-// Takes the nearest of the boxes that wait, and returns where it begins, infinite if there is none.
 // The last 6 bits of a distance are replaced by its index, so the least number says where it is.
-static inline float take_nearest(Walker *walker, int *next)
+static inline int least_distance(const Walker *walker, int begin, int end)
 {
-    enum { INDICES = 64 };
     int least_bits = INT_MAX;
 #pragma omp simd reduction(min : least_bits)
-    for (int i = 0; i < INDICES; i++) {
+    for (int i = begin; i < end; i++) {
         int bits = (walker->bits[i] & -INDICES) | i;
         least_bits = bits < least_bits ? bits : least_bits;
     }
-    const int at = least_bits & (INDICES - 1), last = walker->count - (walker->count > 0);
+    return least_bits;
+}
+
+// Takes the nearest of the boxes that wait, and returns where it begins, infinite if there is none.
+// Mostly few wait.
+static inline float take_nearest(Walker *walker, int *next)
+{
+    int nearest_bits = least_distance(walker, 0, LANES);
+    if (walker->count >= LANES)
+        nearest_bits = least(nearest_bits, least_distance(walker, LANES, INDICES));
+    const int at = nearest_bits & (INDICES - 1), last = walker->count - (walker->count > 0);
     const float nearest = walker->near[at];
     *next = walker->box[at];
     walker->near[at] = walker->near[last];
