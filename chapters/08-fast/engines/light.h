@@ -169,8 +169,9 @@ LightPicture *light_picture_build(const Scene *scene);
 void light_picture_free(LightPicture *picture);
 
 // From now on the picture is work's, which stays where it is. May be called again, with another
-// camera, image or style.
-void light_picture_look(LightPicture *picture, const Work *work, Style style);
+// camera, image or style. whole: all of it will be painted, so it is worth finding first what each
+// sample sees, by bins.
+void light_picture_look(LightPicture *picture, const Work *work, Style style, bool whole);
 
 // Paints the columns left to right - 1 and the rows top to bottom - 1 of the image. False if there
 // is not enough memory.

@@ -231,7 +231,7 @@ LightPicture *light_picture_build(const Scene *scene)
     return NULL;
 }
 
-void light_picture_look(LightPicture *picture, const Work *work, Style style)
+void light_picture_look(LightPicture *picture, const Work *work, Style style, bool whole)
 {
     const Resolution screen = work->image->size;
     free(picture->seen);
@@ -242,7 +242,8 @@ void light_picture_look(LightPicture *picture, const Work *work, Style style)
     picture->world.samples =
         (Resolution){screen.width * style.samples, screen.height * style.samples};
     picture->world.depth = style.depth;
-    look(picture);
+    if (whole)
+        look(picture);
     if (picture->steps == NULL)
         choose_steps(picture);
 }
@@ -264,7 +265,7 @@ bool light_bvh(const Work *work, Style style, Message *message)
     if (work->built != NULL)
         *work->built = clock_seconds();
     if (picture != NULL) {
-        light_picture_look(picture, work, style);
+        light_picture_look(picture, work, style, true);
         in_parallel(work->threads, (work->image->size.height + BLOCK - 1) / BLOCK, row_of_blocks,
                     picture);
     }

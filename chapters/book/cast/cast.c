@@ -27,8 +27,7 @@ static Scene scene;
 static Image image;         // the whole picture that was cast last
 static LightPicture *light; // of this scene
 static Work work;
-static int samples_seen; // of the picture that light looks at; 0: none
-static uint8_t *pixels;  // red, green, blue, opacity: what a canvas takes
+static uint8_t *pixels; // red, green, blue, opacity: what a canvas takes
 
 // ---- the scene ---------------------------------------------------------------------------------
 
@@ -36,7 +35,6 @@ static void forget(void)
 {
     light_picture_free(light);
     light = NULL;
-    samples_seen = 0;
     scene_free(&scene);
 }
 
@@ -104,34 +102,20 @@ static void by_trace_ray(const Tile *tile)
         }
 }
 
-// ---- a tile of a picture that is looked at as a whole ------------------------------------------
-
-static bool same_camera(const Camera *a, const Camera *b)
-{
-    vec3 change = a->origin - b->origin, turn = a->forward - b->forward, roll = a->up - b->up;
-    return vec3_length(change) + vec3_length(turn) + vec3_length(roll) == 0 &&
-           a->width == b->width && a->height == b->height && a->distance == b->distance;
-}
-
-// Chapter 08's engine looks at a picture once, and then paints its tiles into the image.
+// Chapter 08's engine paints a tile into the image.
 static bool by_hierarchy(const Tile *tile)
 {
     Message message;
     Resolution screen = tile->rendering.screen;
-    Style style = tile->rendering.style;
-    Camera before = work.camera;
     if (image.size.width != screen.width || image.size.height != screen.height) {
         image_free(&image);
-        samples_seen = 0;
         if (!image_create(&image, screen, &message))
             return false;
     }
     work = (Work){.scene = &scene, .camera = tile->rendering.camera, .image = &image, .threads = 1};
     if (light == NULL && (light = light_picture_build(&scene)) == NULL)
         return false;
-    if (samples_seen != style.samples || !same_camera(&before, &work.camera))
-        light_picture_look(light, &work, style);
-    samples_seen = style.samples;
+    light_picture_look(light, &work, tile->rendering.style, false);
     return light_picture_paint(light, tile->left, tile->top, tile->right, tile->bottom);
 }
 
@@ -162,7 +146,6 @@ static bool by_order(const Tile *tile, const char *order)
     double *depth = malloc(sizeof *depth * (size_t)size.width * (size_t)size.height);
     const Engine *engine = engine_named(order);
     work = (Work){.scene = &scene, .camera = camera, .image = &image, .threads = 1};
-    samples_seen = 0;
     bool ready = depth != NULL && image_create(&image, size, &message);
     if (ready && engine != NULL)
         ready = engine->cast(&work, &message);

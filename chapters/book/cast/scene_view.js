@@ -79,16 +79,20 @@ export class SceneView {
     async drawOnce(version) {
         const start = performance.now(), took = () => performance.now() - start;
         this.isFine = false;
-        await this.cast(this.pass(this.divided));
-        this.told.onTrouble?.("");
-        this.told.onPicture?.(false, took());
-        this.divided = took() > FRAME ? Math.min(16, 2 * this.divided) : took() < FRAME / 6 ? Math.max(2, this.divided / 2) : this.divided;
-        await new Promise((resolve) => requestAnimationFrame(resolve));
-        if (version !== this.version)
-            return;
+        const isSeen = !this.canvas.hidden; // if not, only the fine picture is needed
+        if (isSeen) {
+            await this.cast(this.pass(this.divided));
+            this.told.onTrouble?.("");
+            this.told.onPicture?.(false, took());
+            this.divided = took() > FRAME ? Math.min(16, 2 * this.divided) : took() < FRAME / 6 ? Math.max(2, this.divided / 2) : this.divided;
+            await new Promise((resolve) => requestAnimationFrame(resolve));
+            if (version !== this.version)
+                return;
+        }
         this.isFine = true;
-        for (const pass of this.finer())
+        for (const pass of isSeen ? this.finer() : this.finer().slice(-1))
             await this.cast(pass);
+        this.told.onTrouble?.("");
         this.told.onPicture?.(true, took());
     }
 

@@ -33,9 +33,7 @@ export function setUpOwnPicture({ place, site, course, answers }) {
         onPicture(isFine) {
             canvas.toggleAttribute("data-fine", isFine);
             button.hidden = !(isFine && yours.length === total);
-            if (canvas.hidden && !isFine)
-                return; // the picture that the page came with is better
-            canvas.hidden = false;
+            canvas.hidden = false; // until the first fine picture, the one that the page came with is better
             still.hidden = true;
             words.textContent = credit(yours, total);
         },
