@@ -97,5 +97,5 @@ class Example(Sentences):
 class Recipes(Sentences):
     def test_their_page_speaks_of_each(self):
         page = (RECIPES / "README.md").read_text(encoding="utf-8")
-        for recipe in [RECIPES / "Containerfile", *(RECIPES / "gradescope").iterdir()]:
+        for recipe in [*RECIPES.glob("*.yml"), RECIPES / "Containerfile", *(RECIPES / "gradescope").iterdir()]:
             self.check(f"it speaks of {recipe.name}", f"]({recipe.relative_to(RECIPES)})" in page)

@@ -1,7 +1,10 @@
 """test_similar.py - who agrees in an unusual way: what only two have is found, what everybody was given is not."""
+import os
 import shutil
+import tempfile
 import unittest
 from pathlib import Path
+from unittest.mock import patch
 
 from grade.people.history import remember
 from grade.people.similar import answers_in, pairs_of, report
@@ -54,6 +57,17 @@ class Similar(WithFolder):
         self.assertEqual([(pair.one.who, pair.other.who, pair.shared) for pair in pairs],
                          [("s03", "s17", ["wrong result of upper_left: (7, 7, 7)"]),
                           ("s05", "s09", [f"mistake in upper_left: {MISTAKE['formula']}"])])
+
+    def test_jplag_compares_if_its_jar_is_named(self):
+        java = self.work / "java"
+        java.write_text("#!/bin/sh\necho \"$@\" >../asked\nmkdir result\nprintf '%s\\n' submissionName1,submissionName2,"
+                        "averageSimilarity,maximumSimilarity 4.c,2.c,0.6,0.8 1.c,0.c,0.9,0.3 >result/results.csv\n")
+        java.chmod(0o755)
+        with patch.dict(os.environ, PATH=f"{self.work}:{os.environ['PATH']}", JPLAG="jplag.jar", TMPDIR=str(self.work)), \
+                patch.object(tempfile, "tempdir", None):
+            pairs = self.pairs(**self.ordinary(6))
+        self.assertEqual([(pair.one.who, pair.other.who, pair.percent) for pair in pairs], [("s02", "s04", 80)])
+        self.assertIn("--language c", (self.work / "asked").read_text())
 
     def test_the_same_text_under_other_names_is_found(self):
         texts = self.ordinary()

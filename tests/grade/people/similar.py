@@ -1,14 +1,15 @@
 """similar.py - make similar: which submissions of a class agree in an unusual way, chapter by chapter.
 
-    similar.py, and in the environment: OUT, where the class has been marked
+    similar.py, and in the environment: OUT, where the class has been marked; JPLAG
 
 Taken out first is what everybody was given: the lines of the blanks, of the solutions and of the headers. Of the rest
 these are compared. Words: comments, and names of helpers and variables; slips: a mistake that the judge knows by name, or
 the same wrong result; each is the more unusual the fewer people have it. Text: how much of one is in the other, by sim_c
-(Debian's similarity-tester). The page is OUT/similar.html.
+(Debian's similarity-tester), or by JPlag, if JPLAG names its jar. The page is OUT/similar.html.
 """
 from __future__ import annotations
 
+import csv
 import math
 import os
 import re
@@ -80,16 +81,33 @@ def answer_of(who: str, stem: str, text: str, lines: set, words: set, functions:
     return Answer(who, stem, text, own, frozenset({f"// {comment}" for comment in comments(own)} | names | slips(functions)))
 
 
+def by_sim(folder: str, names: list) -> list:
+    done = subprocess.run(["sim_c", "-p", "-s", "-r", str(RUN), "-t", str(LEAST_PERCENT), *names], cwd=folder,
+                          capture_output=True, text=True, errors="replace")
+    return re.findall(r"^(\d+)\.c consists for (\d+) % of (\d+)\.c material", done.stdout, re.MULTILINE)
+
+
+def by_jplag(folder: str, jar: str) -> list:
+    """As its options are since version 5; each file is a submission."""
+    done = subprocess.run(["java", "-jar", os.path.abspath(jar), "--mode", "RUN", "--language", "c", "--min-tokens", str(RUN),
+                           "--csv-export", "--result-file", "result", "."], cwd=folder, capture_output=True, text=True, errors="replace")
+    table = next(Path(folder).rglob("results.csv"), None)
+    if table is None:
+        stop(f"JPLAG={jar} wrote no results.csv: {visible((done.stderr or done.stdout)[-300:])}")
+    rows = csv.reader(table.read_text(encoding="utf-8").splitlines()[1:])
+    return [(one.removesuffix(".c"), round(100 * float(most)), other.removesuffix(".c"))
+            for one, other, _, most in rows if 100 * float(most) >= LEAST_PERCENT]
+
+
 def percents(answers: list) -> dict:
     """Two numbers of answers -> how many percent of the smaller one are in the other, if many."""
+    jar = os.environ.get("JPLAG")
     found: dict = {}
     with tempfile.TemporaryDirectory() as folder:
         for number, answer in enumerate(answers):
             Path(folder, f"{number}.c").write_text(answer.own + "\n")
-        done = subprocess.run(["sim_c", "-p", "-s", "-r", str(RUN), "-t", str(LEAST_PERCENT),
-                               *(f"{number}.c" for number in range(len(answers)))],
-                              cwd=folder, capture_output=True, text=True, errors="replace")
-    for one, percent, other in re.findall(r"^(\d+)\.c consists for (\d+) % of (\d+)\.c material", done.stdout, re.MULTILINE):
+        lines = by_jplag(folder, jar) if jar else by_sim(folder, [f"{number}.c" for number in range(len(answers))])
+    for one, percent, other in lines:
         pair = tuple(sorted((int(one), int(other))))
         found[pair] = max(found.get(pair, 0), int(percent))
     return found
@@ -195,7 +213,7 @@ def main() -> None:
         put(str(out), "similar.html", report(pairs, sum(map(len, answers.values()))))
     except FileNotFoundError as error:
         stop("sim_c is missing: 'make setup FOR=instructor' installs it" if error.filename == "sim_c"
-             else f"{error.filename}: {why(error)}")
+             else "java is missing, which JPlag needs" if error.filename == "java" else f"{error.filename}: {why(error)}")
     except OSError as error:
         stop(f"{error.filename}: {why(error)}")
     print(f"{counted(len(pairs))} with something unusual in common: {out}/similar.html")
