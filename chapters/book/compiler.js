@@ -7,7 +7,7 @@
 // The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
 // traps; then the whole compiler is fetched, and that run is made again with it.
 import xz from "xz-decompress";
-import { Exit, Files, PAGE, clear, instantiate, isEmpty, trapOf, wasi } from "./wasi.js";
+import { Files, PAGE, clear, isEmpty, start, trapOf, wasi } from "./wasi.js";
 
 const LANGUAGE = ["-triple", "wasm32-unknown-wasip1", "-emit-obj", "-disable-free", "-fgnuc-version=4.2.1",
     "-std=c11", "-D", "_DEFAULT_SOURCE", "-ffp-contract=off", "-O0",
@@ -52,14 +52,16 @@ export class Program {
 
     /** A fresh instance, and the memory that its constructors leave. */
     begin() {
+        /** @type {Record<string, Function>} */
         const calls = {};
         for (const { name } of WebAssembly.Module.imports(this.module))
             calls[name] = (...given) => this.calls[name](...given);
-        const { exports } = this.instance = instantiate(this.module, { wasi_snapshot_preview1: calls });
+        /** @type {any} */
+        const exports = this.exports = new WebAssembly.Instance(this.module, { wasi_snapshot_preview1: calls }).exports;
         this.stack = exports.stack.value;
         // What _start does before it asks for its arguments is done first; the constructors need it.
         const system = wasi({});
-        system.begin(this.instance);
+        system.begin(exports);
         const before = new Error("asked for the arguments");
         this.calls = { ...system.calls, args_sizes_get() { throw before; } };
         try { exports._start(); } catch (error) {
@@ -82,7 +84,7 @@ export class Program {
 
     /** The memory is again as begin() left it. */
     restore() {
-        const { buffer } = this.instance.exports.memory;
+        const { buffer } = this.exports.memory;
         clear(buffer, 0, this.stack / PAGE);
         for (let page = this.changing; page < this.size / PAGE; page++) {
             const bytes = this.saved.get(page);
@@ -95,25 +97,19 @@ export class Program {
 
     /** As run in wasi.js. */
     run({ args, files }) {
-        if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size)
+        if (!this.exports || this.exports.memory.buffer.byteLength !== this.size)
             this.begin();
         this.restore();
-        const { exports } = this.instance;
-        exports.stack.value = this.stack;
+        this.exports.stack.value = this.stack;
         const system = wasi({ args, files }), result = { files };
-        system.begin(this.instance);
+        system.begin(this.exports);
         this.calls = system.calls;
         try {
-            exports._start();
-            result.status = 0;
+            result.status = start(this.exports);
         } catch (error) {
-            if (error instanceof Exit)
-                result.status = error.status;
-            else
-                Object.assign(result, { trap: trapOf(error), error });
+            Object.assign(result, { trap: trapOf(error), error });
         }
-        const text = (stream) => new TextDecoder().decode(stream.contents());
-        return { ...result, stdout: text(system.stdout), stderr: text(system.stderr) };
+        return { ...result, stdout: system.said(), stderr: system.errors() };
     }
 }
 

@@ -4,7 +4,7 @@
 // module is what the system is to them: it starts one program for another, and carries the bytes
 // between the judge and the answer, which are two instances. Nothing of a verdict is decided here.
 import { hideHelpers } from "./tools.js";
-import { Exit, Files, OutOfSteps, instantiate, run, trapOf, wasi } from "./wasi.js";
+import { Exit, Files, OutOfSteps, run, start as startProgram, trapOf, wasi } from "./wasi.js";
 
 const text = new TextDecoder(), STEPS_PER_SECOND = 30e6;
 
@@ -43,32 +43,30 @@ class Answer {
         this.end = GOES_ON;
         this.isCalled = false;
         this.status = 0;
-        const system = wasi({ env: { LENT: lent }, stdout: printed, stderr: printed });
-        const bytes = (at, size) => new Uint8Array(this.instance.exports.memory.buffer, at, size);
-        this.instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module), book: {
-            call_put: (at, size) => this.answers.put(bytes(at, size)),
+        const system = wasi({ env: { LENT: lent }, printed });
+        this.exports = system.open(module, {
+            call_put: (at, size) => this.answers.put(system.bytes(at, size)),
             call_get: (at, size) => {
                 if (this.calls.size < size && !(this.isCalled && serve()))
                     return 0; // it waits for what is lent
-                this.calls.get(bytes(at, size));
+                this.calls.get(system.bytes(at, size));
                 return 1;
             },
             out_of_steps() { throw new OutOfSteps(); },
-        } });
-        system.begin(this.instance);
-        this.instance.exports._initialize();
+        });
+        this.exports._initialize();
     }
-    get steps() { return this.instance.exports.steps_so_far?.() ?? 0; }
+    get steps() { return this.exports.steps_so_far?.() ?? 0; }
     /** Until it has answered, or ended. */
     answer() {
         try {
-            this.instance.exports.answer();
+            this.exports.answer();
         } catch (error) {
             if (error instanceof Exit) { this.end = EXITED; this.status = error.status; return; }
             if (error instanceof PrintedTooMuch) { this.end = PRINTED; return; }
             const trap = trapOf(error);
             // The stack grows down to address 0; below that is no memory.
-            const overflow = trap === "memory" && this.instance.exports.__stack_pointer.value < 0;
+            const overflow = trap === "memory" && this.exports.__stack_pointer.value < 0;
             this.end = overflow ? TRAPS.stack : TRAPS[trap];
         }
     }
@@ -78,10 +76,8 @@ class Answer {
 function runJudge(module, words, files, answerOf) {
     const system = wasi({ args: words, files, env: {} });
     let answer, steps = 0, most = Infinity;
-    const bytes = (at, size) => new Uint8Array(instance.exports.memory.buffer, at, size);
-    const string = (at) => { const all = bytes(at); return text.decode(all.slice(0, all.indexOf(0))); };
     const bye = () => { steps += answer?.steps ?? 0; answer = undefined; };
-    const instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module), book: {
+    const exports = system.open(module, {
         answer_start(program, mostSteps) {
             most = mostSteps;
             if (answer)
@@ -91,49 +87,41 @@ function runJudge(module, words, files, answerOf) {
                 if (at + bytes.length > 1 << 20)
                     throw new PrintedTooMuch(); return write.call(printed, bytes, at);
             };
-            const { module, lent } = answerOf(string(program));
-            answer = new Answer(module, lent, printed, () => instance.exports.serve());
+            const { module, lent } = answerOf(system.string(program));
+            answer = new Answer(module, lent, printed, () => exports.serve());
         },
         answer_stop() { const status = answer?.status ?? 0; bye(); return status; },
         answer_steps: () => steps + (answer?.steps ?? 0),
-        answer_put(at, size) { answer.calls.put(bytes(at, size)); },
+        answer_put(at, size) { answer.calls.put(system.bytes(at, size)); },
         answer_get(at, size) {
             if (answer.answers.size < size && answer.end === GOES_ON && !answer.isCalled) {
                 answer.isCalled = true;
-                answer.instance.exports.allow_steps?.(most);
+                answer.exports.allow_steps?.(most);
                 answer.answer();
                 answer.isCalled = false;
             }
             if (answer.answers.size < size)
                 return answer.end === GOES_ON ? EXITED : answer.end;
-            answer.answers.get(bytes(at, size));
+            answer.answers.get(system.bytes(at, size));
             return GOES_ON;
         },
         guard() {
-            const stack = instance.exports.__stack_pointer.value;
+            const stack = exports.__stack_pointer.value;
             try {
-                instance.exports.guarded();
+                exports.guarded();
                 return 1;
             } catch (error) {
                 if (error !== LEFT)
                     throw error;
-                instance.exports.__stack_pointer.value = stack;
+                exports.__stack_pointer.value = stack;
                 return 0;
             }
         },
         leave() { throw LEFT; },
-    } });
-    system.begin(instance);
-    let status = 0;
-    try {
-        instance.exports._start();
-    } catch (error) {
-        if (!(error instanceof Exit))
-            throw error;
-        status = error.status;
-    }
+    });
+    const status = startProgram(exports);
     files.remove("printed");
-    return { status, said: text.decode(system.stdout.contents()) + text.decode(system.stderr.contents()) };
+    return { status, said: system.said() + system.errors() };
 }
 
 /** The parts that course writes for a page (tests/course/page.h). */
@@ -212,31 +200,25 @@ export function createJudge({ modules, files: given, compile, link }) {
     /** Runs course (tests/course/course.c). */
     function course(what, stems, env = {}) {
         const system = wasi({ args: ["course", what, "plan", ...stems], files, env: { TERM: "dumb", ...env } });
-        const bytes = (at, size) => new Uint8Array(instance.exports.memory.buffer, at, size);
-        const string = (at) => { const all = bytes(at); return text.decode(all.slice(0, all.indexOf(0))); };
-        const instance = instantiate(modules.course, { wasi_snapshot_preview1: system.imports(modules.course), book: {
+        const exports = system.open(modules.course, {
             program_start(at, size, output, seconds) {
-                const words = text.decode(bytes(at, size).slice()).split("\0").slice(0, -1);
-                return start(words, output ? string(output) : null, seconds);
+                const words = text.decode(system.bytes(at, size).slice()).split("\0").slice(0, -1);
+                return start(words, output ? system.string(output) : null, seconds);
             },
-            program_exists: (name) => Number(string(name) === "gnuplot"),
-        } });
-        system.begin(instance);
+            program_exists: (name) => Number(system.string(name) === "gnuplot"),
+        });
         let status = 0, needs;
         const marks = new Set(marksNow());
         try {
-            instance.exports._start();
+            status = startProgram(exports);
         } catch (error) {
-            if (error instanceof NeedsLink) {
-                needs = error.words;
-                for (const mark of marksNow())
-                    marks.has(mark) || files.remove(mark); // it will be shown again
-            } else if (error instanceof Exit)
-                status = error.status;
-            else
+            if (!(error instanceof NeedsLink))
                 throw error;
+            needs = error.words;
+            for (const mark of marksNow())
+                marks.has(mark) || files.remove(mark); // it will be shown again
         }
-        return { status, needs, text: text.decode(system.stdout.contents()), errors: text.decode(system.stderr.contents()) };
+        return { status, needs, text: system.said(), errors: system.errors() };
     }
     // Of pictures that were shown, and of rewards.
     const marksNow = () => [...files.files.keys()].filter((path) => /\.(drawn|rewarded)$/.test(path));

@@ -88,12 +88,10 @@ export class Files {
 
 /**
  * The imports of one run, and what it leaves.
- * @param {{args?: string[], files?: Files, env?: Object<string, string>, stdin?: Uint8Array|string,
- *          stdout?: MemoryFile, stderr?: MemoryFile}} given
+ * @param {{args?: string[], files?: Files, env?: Object<string, string>, printed?: MemoryFile}} given printed: where both outputs go
  */
-export function wasi({ args = ["program"], files = new Files(), env = {}, stdin = "", stdout, stderr }) {
-    const streams = [new MemoryFile(typeof stdin === "string" ? words.encode(stdin) : stdin, 0),
-        stdout ?? new MemoryFile(new Uint8Array(0), 0), stderr ?? new MemoryFile(new Uint8Array(0), 0)];
+export function wasi({ args = ["program"], files = new Files(), env = {}, printed }) {
+    const empty = () => new MemoryFile(new Uint8Array(0), 0), streams = [empty(), printed ?? empty(), printed ?? empty()];
     /** @type {{is: number, file?: MemoryFile, at?: number, flags?: number, folder?: string}[]} */
     const open = [...streams.map((file, i) => ({ file, at: 0, flags: i > 0 ? APPEND : 0, is: CHARACTERS })), { folder: "", is: FOLDER }];
     const strings = (list) => list.map((s) => words.encode(s + "\0"));
@@ -307,18 +305,31 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, stdin 
             return OK;
         },
     };
+    const said = (stream) => text.decode(stream.contents());
     return {
-        calls, files, stdout: streams[1], stderr: streams[2],
+        calls, files, stdout: streams[1], bytes, said: () => said(streams[1]), errors: () => said(streams[2]),
+        /** In the instance's memory, up to a 0. */
+        string(at) { const all = new Uint8Array(memory.buffer, at); return text.decode(all.slice(0, all.indexOf(0))); },
         /** The calls that a module imports; those that no program here makes are an error number. */
         imports(module) {
+            /** @type {Record<string, Function>} */
             const imports = {};
             for (const { module: from, name } of WebAssembly.Module.imports(module))
                 if (from === "wasi_snapshot_preview1")
                     imports[name] = calls[name] ?? (() => NOT_THERE);
             return imports;
         },
-        /** From now on the calls are about this instance's memory. */
-        begin(instance) { memory = instance.exports.memory; },
+        /** From now on the calls are about this memory. */
+        begin(exports) { memory = exports.memory; },
+        /**
+         * An instance whose calls are these; book: what else it asks of the page.
+         * @returns {any} what it exports
+         */
+        open(module, book = {}) {
+            const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: this.imports(module), book });
+            this.begin(exports);
+            return exports;
+        },
     };
 }
 
@@ -336,35 +347,37 @@ export function trapOf(error) {
       : /out of bounds|out-of-bounds/i.test(said) ? "memory" : "other";
 }
 
-/** @returns {{exports: any}} an instance, with what the program exports */
-export const instantiate = (module, imports) => new WebAssembly.Instance(module, imports);
+/** Runs an instance to its end: its exit status. */
+export function start(exports) {
+    try {
+        exports._start();
+        return 0;
+    } catch (error) {
+        if (error instanceof Exit)
+            return error.status;
+        throw error;
+    }
+}
 
 /**
  * Runs a program from its start to its end.
  * @param {WebAssembly.Module} module
  * @param {{args?: string[], files?: Files|Map<string, Uint8Array|string>|{}, env?: Object<string, string>,
- *          stdin?: Uint8Array|string, steps?: number, imports?: Object<string, Object<string, Function>>}} given
+ *          steps?: number}} given
  *        steps: after this many a module that counts them (chapters/book/instead/steps.c) is ended
  * @returns {{status?: number, trap?: string, error?: Error, stdout: string, stderr: string, files: Files}}
  */
-export function run(module, { args, files, env, stdin, steps = Infinity, imports = {} } = {}) {
-    const system = wasi({ args, files: files instanceof Files ? files : new Files(files), env, stdin });
-    const result = { files: system.files, stdout: "", stderr: "" };
+export function run(module, { args, files, env, steps = Infinity } = {}) {
+    const system = wasi({ args, files: files instanceof Files ? files : new Files(files), env });
+    const result = { files: system.files };
     try {
-        const instance = instantiate(module, { wasi_snapshot_preview1: system.imports(module),
-            book: { out_of_steps() { throw new OutOfSteps(); } }, ...imports });
-        system.begin(instance);
-        instance.exports.allow_steps?.(steps);
-        instance.exports._start();
-        result.status = 0;
+        const exports = system.open(module, { out_of_steps() { throw new OutOfSteps(); } });
+        exports.allow_steps?.(steps);
+        result.status = start(exports);
     } catch (error) {
-        if (error instanceof Exit)
-            result.status = error.status;
-        else { result.trap = trapOf(error); result.error = error; }
+        Object.assign(result, { trap: trapOf(error), error });
     }
-    result.stdout = text.decode(system.stdout.contents());
-    result.stderr = text.decode(system.stderr.contents());
-    return result;
+    return { ...result, stdout: system.said(), stderr: system.errors() };
 }
 
 // ---- the memory of a program that runs again and again ------------------------------------------

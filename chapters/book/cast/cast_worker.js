@@ -1,23 +1,21 @@
 // cast_worker.js - one Worker of the pool (pool.js): casts tiles of a scene by one program, cast.c with its answers.
-import { Exit, Files, instantiate, wasi } from "../wasi.js";
+import { Exit, Files, wasi } from "../wasi.js";
 
-let instance = null, system, files, opened = {};
-const text = (stream) => new TextDecoder().decode(stream.contents());
+let exports = null, system, files, opened = {};
 
 /** A program, and a scene for it. */
 function open({ program, scene }) {
-    if (program !== opened.program || instance === null) {
+    if (program !== opened.program || exports === null) {
         system = wasi({ files: files = new Files() });
-        instance = instantiate(program, { wasi_snapshot_preview1: system.imports(program) });
-        system.begin(instance);
-        instance.exports._initialize();
+        exports = system.open(program);
+        exports._initialize();
     }
     opened = { program, scene };
     files.put("scene.nff", scene);
-    check(instance.exports.open_scene());
+    check(exports.open_scene());
 }
 
-const lastWords = () => text(system.stderr).trim().split("\n").at(-1).replace(/^scene\.nff:/, "line ") || "there is not enough memory";
+const lastWords = () => system.errors().trim().split("\n").at(-1).replace(/^scene\.nff:/, "line ") || "there is not enough memory";
 /** What the program said is why there is no picture. */
 function check(isGood) {
     if (!isGood)
@@ -26,14 +24,14 @@ function check(isGood) {
 
 /** view: ten numbers (cast.c); none: the scene's own. explained: a pixel, {column, row}, instead of a tile. */
 function cast({ view, width, height, samples, depth, left, top, right, bottom, caster, mistake, explained, isRace }) {
-    const { exports } = instance, numbers = () => new Float64Array(exports.memory.buffer, exports.view(), 10);
+    const numbers = () => new Float64Array(exports.memory.buffer, exports.view(), 10);
     if (view)
         numbers().set(view);
     exports.choose_mistake?.(mistake);
     if (explained) {
         system.stdout.resize(0);
         check(exports.explain_pixel(width, height, depth, explained.column, explained.row));
-        return { story: text(system.stdout) };
+        return { story: system.said() };
     }
     new Uint8Array(exports.memory.buffer, exports.caster(), 40).set(new TextEncoder().encode(`${caster}\0`));
     const counts = isRace && exports.begin_race(width, height), start = performance.now();
@@ -52,7 +50,7 @@ addEventListener("message", ({ data: { program, scene, tile } }) => {
         const done = cast(tile);
         postMessage(done, { transfer: done.pixels ? [done.pixels.buffer] : [] });
     } catch (reason) {
-        instance = null;
+        exports = null;
         const isTrap = !(reason instanceof Error) || reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError;
         postMessage({ failed: isTrap ? "your code crashed" : reason instanceof Exit ? lastWords() : reason.message });
     }

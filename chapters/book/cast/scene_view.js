@@ -191,12 +191,3 @@ export function openView(canvas, site, told) {
     });
     return view;
 }
-
-/** The picture as a PNG file, for the student. */
-export function save(canvas, name) {
-    canvas.toBlob((blob) => {
-        const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-    });
-}

@@ -67,12 +67,12 @@ const pack = unpacked(packed);
 class NotingProgram extends Program {
     entered = [];
     begin() {
-        if (this.instance)
+        if (this.exports)
             this.note();
         super.begin();
     }
     note() { // the profile: 8 bytes, then for each function when it was first entered, or 0
-        const { exports } = this.instance, pages = 16, at = exports.memory.grow(pages) << 16;
+        const { exports } = this, pages = 16, at = exports.memory.grow(pages) << 16;
         const size = exports.__write_profile(at, pages << 16);
         new Uint32Array(exports.memory.buffer, at + 8, (size - 8) / 4).forEach((when, i) => { this.entered[i] |= when; });
     }

@@ -151,10 +151,8 @@ export function writableStorage() {
 const LARGEST = 256 * 1024; // bytes of an answer that the grader reads (tests/grade/collect/answers.py)
 
 /** Hands the browser a file to save. */
-function saveAs(name, bytes, type) {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([bytes], { type }));
-    link.download = name;
+export function saveAs(name, blob) {
+    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
     document.body.append(link);
     link.click();
     link.remove();
@@ -169,7 +167,7 @@ export async function download(stems, answers) {
     if (large)
         throw new Error(`${large.name} is larger than 256 KB. The grader reads no larger answer.`);
     if (files.length > 0)
-        saveAs("submission.zip", await makeZip(files), "application/zip");
+        saveAs("submission.zip", new Blob([await makeZip(files)], { type: "application/zip" }));
     return files.length;
 }
 
@@ -208,7 +206,7 @@ export async function answersIn(fileList, stems) {
 
 /**
  * @param {{name: string, bytes: Uint8Array}[]} files
- * @returns {Promise<Uint8Array>}
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function makeZip(files, when = new Date()) {
     const { zipSync } = await import("fflate");

@@ -291,7 +291,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
             await judge();
         await getReady();
         globalThis.judgeIsReady = true;
-        dispatchEvent(new Event("judge-ready")); // offline.js
+        dispatchEvent(new Event("judge-ready")); // page.js
     }
     if (!navigator.connection?.saveData)
         begin().catch(() => {}); // the student is told when an answer is judged

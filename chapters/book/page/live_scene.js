@@ -1,8 +1,9 @@
 // live_scene.js - a scene beside the exercise, cast by the student's functions while they write, right or wrong: turned,
 // its spheres and lights dragged, another scene chosen or written, and one pixel explained.
 import { beside, moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
-import { openView, save, sceneOf } from "../cast/scene_view.js";
+import { openView, sceneOf } from "../cast/scene_view.js";
 import { program } from "../worker_questions.js";
+import { saveAs } from "./answers.js";
 import { drawStory, storyOf } from "./pixel_story.js";
 import { RACERS, setUpRace } from "./race.js";
 import { showView } from "./room.js";
@@ -55,7 +56,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
     const written = element("div", { class: "scene-text", hidden: "" }), story = element("div", { class: "story", tabindex: 0, hidden: "", "aria-label": "The story of the pixel" });
     const actions = element("div", { class: "actions" }, element("label", {}, "Scene ", scenes), ...casters.length > 1 ? [element("label", {}, "by ", casters)] : [],
         button("Write", () => write().catch((reason) => tell(reason.message))), button("Link", () => link().catch((reason) => tell(reason.message))),
-        button("Save", () => save(canvas, "scene.png")), element("label", {}, "pixel ", pixelInput), took);
+        button("Save", () => canvas.toBlob((blob) => saveAs("scene.png", blob))), element("label", {}, "pixel ", pixelInput), took);
     const details = element("details", { class: "live-scene" }, element("summary", {}, "A scene, cast by your code ", credit),
         actions, wrong, element("div", { class: "live-body" }, element("div", { class: "stage" }, canvas, rays, handles, mark), element("div", { class: "live-side" }, written, turn, story)));
 

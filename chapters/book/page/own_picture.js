@@ -1,7 +1,8 @@
 // own_picture.js - the picture of the start page, cast in the page: by the reference, and from the first right answer on
 // by the student's functions.
-import { openView, save, sceneOf } from "../cast/scene_view.js";
+import { openView, sceneOf } from "../cast/scene_view.js";
 import { Helper, program } from "../worker_questions.js";
+import { saveAs } from "./answers.js";
 
 const NAMED = 8; // functions that are named under the picture
 
@@ -23,7 +24,7 @@ export function setUpOwnPicture({ place, site, course, answers }) {
     const words = Object.assign(document.createElement("p"), { className: "credit" });
     words.setAttribute("role", "status");
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Save the picture", hidden: true });
-    button.addEventListener("click", () => save(canvas, "ray-casting.png"));
+    button.addEventListener("click", () => canvas.toBlob((blob) => saveAs("ray-casting.png", blob)));
     place.querySelector("figcaption").append(words, button);
     still.after(canvas);
 

@@ -48,7 +48,7 @@ addEventListener("activate", (event) => {
     })());
 });
 
-// A page that was just opened asks for this, more than once (offline.js).
+// A page that was just opened asks for this, more than once (page.js).
 addEventListener("message", (event) => {
     if (event.data === "take over if one page is open")
         event.waitUntil((async () => {
