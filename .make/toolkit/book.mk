@@ -93,24 +93,24 @@ $(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS)) $(WAS
 # What an answer is linked with: one object for each chapter, and common.a. The reference for the chapters before is in
 # it, except FROM=handout: there the student's answers are linked too (tools.js).
 ANSWERING_LINKS := $(STEMS:%=$(WASM)/link/%.o)
-WASM_WRAPS := $(STEMS:%=$(WASM)/wraps/%.o)
+WASM_ANSWERING := $(STEMS:%=$(WASM)/answering/%.o)
 WASM_DISPATCHES := $(STEMS:%=$(WASM)/dispatch/%.o)
 define wasm_for_chapter
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -DANSWERED=$(call answered,$(*F)) -o $@ $<
 endef
-$(WASM_WRAPS): WASM_EXTRA = $(if $(FROM),-DEARLIER_ANSWERS)
-$(WASM_WRAPS): $(WASM)/wraps/%.o: $(INSTEAD)/calls_traced.c .make/toolkit/book.mk
+$(WASM_ANSWERING): WASM_EXTRA = $(if $(FROM),-DEARLIER_ANSWERS)
+$(WASM_ANSWERING): $(WASM)/answering/%.o: $(INSTEAD)/answering.c .make/toolkit/book.mk
 	$(wasm_for_chapter)
 $(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/book.mk
 	$(wasm_for_chapter)
-$(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(if $(FROM),,$(lent))) \
-		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/answering $(INSTEAD)/steps tests/judge/answer_calls) \
+$(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/answering/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(if $(FROM),,$(lent))) \
+		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/steps tests/judge/answer_calls) \
 		$$(if $$(FROM),,$$(call wasm_objects,$$(foreach s,$$(call earlier,$$*),$$(call exact_of,$$(s)))))
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
-# The names that an answer's link wraps (calls_traced.c), for each chapter. FROM=handout: those of the answers before it too,
+# The names that an answer's link wraps (answering.c), for each chapter. FROM=handout: those of the answers before it too,
 # because a verdict tells which of them it depends on.
 $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $$(addprefix $(B)/answer_names/,$$(if $$(FROM),$$(call earlier,$$*)) $$*) \
 		.make/toolkit/book.mk

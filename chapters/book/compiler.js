@@ -166,9 +166,8 @@ export async function load({ fetchBytes, progress = () => {}, onFetched = () => 
 const body = (answer) => answer instanceof Response ? answer.body : new Response(answer).body;
 
 export class Compiler {
-    /** How often an answer needed the whole compiler, and how long the parts of the last compilation took. */
+    /** How often an answer needed the whole compiler. */
     fallbacks = 0;
-    times = { compile: 0, link: 0 };
     warmed = null;
     whole = null;
 
@@ -201,13 +200,10 @@ export class Compiler {
    *          messages: string}>} messages: what the compiler said, or the linker if that failed
    */
     async compile({ stem, files }) {
-        const start = performance.now();
         const compiled = await this.run(compileWords(stem), new Map([...this.pack, ...Object.entries(files)]));
-        this.times = { compile: performance.now() - start, link: 0 };
         if (compiled.status !== 0)
             return { module: null, ...failed(compiled, "compile") };
         const object = compiled.files.get("answer.o"), linked = await this.link(stem, object);
-        this.times.link = performance.now() - start - this.times.compile;
         return linked.module ? { ...linked, object, stage: "compile", messages: compiled.stderr } : { ...linked, object };
     }
 
@@ -216,7 +212,7 @@ export class Compiler {
 
     /**
    * The words of the link of a chapter's answer with what answers the judge's calls. Calls of an exercise, in the answer
-   * too, go through chapters/book/instead/calls_traced.c. objects: the answer, and the answers that it calls
+   * too, go through chapters/book/instead/answering.c. objects: the answer, and the answers that it calls
    */
     answerWords(stem, objects = ["answer.o"]) {
         return linkWords(["--export=__stack_pointer", "--strip-debug", ...objects, ...this.namesOf(stem).map((name) => `--wrap=${name}`), `link/${stem}.o`], true);

@@ -6,22 +6,17 @@
 import createGnuplot from "gnuplot-wasm/src/gnuplot.js";
 import { PAGE, clear, isEmpty, run } from "./wasi.js";
 
-/** The canvas: what its height is in its units, and its width by shape (common/figure/plot.gp). */
-export const CANVAS = { height: 540, width: { "16:9": 960, "4:3": 720 } };
-
 /**
  * @typedef {{name: string, words: string, u: number, v: number, options: Object<string, string>}} Handle
  *   a thing to drag: its place on the canvas, from the lower left, if it is there; the values of the options that
  *   move it
  * @typedef {{program: WebAssembly.Module, stem: string, name: string, options?: Object<string, string>,
- *   arguments?: string[], theme?: string, shape?: string, step?: number, held?: string}} Wanted
+ *   theme?: string, shape?: string, step?: number, held?: string}} Wanted
  *   held: the view of a drawing, which is kept while a handle of it is dragged
  * @typedef {{svg: string, title: string, words: string, steps: number, handles: Handle[],
  *   typed: {words: string, options: Object<string, string>}[], view: string}} Drawn
  *   typed: numbers that cannot be dragged
  */
-
-export class FigureError extends Error {}
 
 const text = new TextDecoder();
 const as_text = (bytes) => bytes === undefined ? "" : text.decode(bytes);
@@ -38,10 +33,10 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
     function ask(wanted, more) {
         const { program, stem, name, options = {} } = wanted;
         const args = [stem, ...Object.entries(options).map(([key, value]) => `--${key}=${value}`), "--figure", name,
-            "--shape", wanted.shape ?? "16:9", ...(wanted.held ? ["--held", wanted.held] : []), ...more, ...(wanted.arguments ?? [])];
+            "--shape", wanted.shape ?? "16:9", ...(wanted.held ? ["--held", wanted.held] : []), ...more];
         const result = run(program, { args, files });
         if (result.status !== 0)
-            throw new FigureError(result.stderr.trim() || result.trap);
+            throw new Error(result.stderr.trim() || result.trap);
         return result;
     }
 
@@ -52,7 +47,7 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
         const drawn = gnuplot.run(["-d", "-e", settings, "script.gp", "-e", end], { "script.gp": script },
             ["figure.svg", "words", "steps"]);
         if (drawn.status !== 0 || drawn.files["figure.svg"] === undefined)
-            throw new FigureError(`gnuplot: ${drawn.said}`);
+            throw new Error(`gnuplot: ${drawn.said}`);
         const { "figure.svg": svg, words: said, steps } = drawn.files;
         const [title, , words] = said.split("\n");
         return { svg: finishFigure(svg, said, pictures), title, words, steps: Number(steps) };

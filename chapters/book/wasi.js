@@ -47,7 +47,7 @@ class MemoryFile {
 }
 
 /** 'a/./b/../c' and '/a/c' are 'a/c'; the top is ''. */
-export function plainPath(path) {
+function plainPath(path) {
     const parts = [];
     for (const part of path.split("/"))
         if (part === "..")

@@ -4,6 +4,8 @@
 // Everything is in localStorage, which other tabs of the site see at once. Its keys begin with the folder of the site, so
 // that two courses on one host do not mix.
 
+import { saveAs } from "./verdict.js";
+
 const VERSIONS = 20; // of each chapter
 
 /**
@@ -149,15 +151,6 @@ export function writableStorage() {
 // What make submission packs and make grade reads.
 
 const LARGEST = 256 * 1024; // bytes of an answer that the grader reads (tests/grade/collect/answers.py)
-
-/** Hands the browser a file to save. */
-export function saveAs(name, blob) {
-    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-    document.body.append(link);
-    link.click();
-    link.remove();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-}
 
 /** @returns {Promise<number>} how many answers are in the archive */
 export async function download(stems, answers) {

@@ -1,7 +1,7 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (judge_worker.js), so the page always answers.
 import { Helper, Stopped } from "../worker_questions.js";
-import { setUpRoom, showView } from "./room.js";
+import { selectTab, setUpRoom, setUpTabs, showView } from "./room.js";
 import { element, marksOf, shown as shownVerdict, wayOn } from "./verdict.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
@@ -96,21 +96,11 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
 
     const tabs = [$("tab-answer"), $("tab-contract")];
     function choose(chosen) {
-        for (const tab of tabs) {
-            tab.setAttribute("aria-selected", String(tab === chosen));
-            tab.tabIndex = tab === chosen ? 0 : -1;
+        selectTab(tabs, chosen);
+        for (const tab of tabs)
             $(tab.getAttribute("aria-controls")).hidden = tab !== chosen;
-        }
     }
-    tabs.forEach((tab, at) => {
-        tab.addEventListener("click", () => choose(tab));
-        tab.addEventListener("keydown", ({ key }) => {
-            if (key === "ArrowRight" || key === "ArrowLeft") {
-                choose(tabs[1 - at]);
-                tabs[1 - at].focus();
-            }
-        });
-    });
+    setUpTabs(tabs, choose);
 
     // ---- judging ---------------------------------------------------------------------------------
 
@@ -158,13 +148,8 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         return { bytes: svg, words };
     }
     function pictured({ bytes, type, words, caption }) {
-        const figure = document.createElement("figure"), img = document.createElement("img");
-        img.src = URL.createObjectURL(new Blob([bytes], { type }));
-        img.alt = words;
-        figure.append(img);
-        if (caption)
-            figure.append(Object.assign(document.createElement("figcaption"), { textContent: caption }));
-        return figure;
+        const src = URL.createObjectURL(new Blob([bytes], { type }));
+        return element("figure", {}, element("img", { src, alt: words }), ...caption ? [element("figcaption", {}, caption)] : []);
     }
 
     function show(verdict, text) {

@@ -2,7 +2,7 @@
 // speaker, an overview, a pen. One classic script, so the page also works as a file, without a server; then its figures
 // are static, because a browser starts no Worker there.
 import { liveFigure } from "./figures.js";
-import { shown } from "./verdict.js";
+import { element, shown } from "./verdict.js";
 import { Helper } from "../worker_questions.js";
 
 const WIDTH = 960, HEIGHT = 540; // of a slide
@@ -303,12 +303,8 @@ function setUpKeys() {
     $("judge-line").addEventListener("click", judgeLine);
     $("line").addEventListener("keydown", (event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && judgeLine());
     $("film").addEventListener("close", () => $("film").querySelector("video").pause());
-    $("names").append(...pages.filter((page) => page.dataset.page === "1").map((page) => {
-        const option = document.createElement("option");
-        option.value = page.dataset.name;
-        option.label = `${page.dataset.slide} ${page.getAttribute("aria-label")}`;
-        return option;
-    }));
+    $("names").append(...pages.filter((page) => page.dataset.page === "1").map((page) =>
+        element("option", { value: page.dataset.name, label: `${page.dataset.slide} ${page.getAttribute("aria-label")}` })));
     $("jump").addEventListener("close", () => {
         const wanted = $("jump").querySelector("input").value.trim().toLowerCase();
         const found = pages.findIndex((page) => page.dataset.slide === wanted || (wanted !== "" && page.id.startsWith(wanted)));

@@ -3,11 +3,10 @@
 import { beside, moved, numbersOf, seen, thingsOf, viewOf, withThing } from "../cast/scene.js";
 import { openView, sceneOf } from "../cast/scene_view.js";
 import { program } from "../worker_questions.js";
-import { saveAs } from "./answers.js";
 import { drawStory, storyOf } from "./pixel_story.js";
 import { RACERS, setUpRace } from "./race.js";
 import { showView } from "./room.js";
-import { element } from "./verdict.js";
+import { element, saveAs } from "./verdict.js";
 
 const FIRST = "three-spheres", OWN = "your own";
 const SCENES = { [FIRST]: "three spheres", "sphereflake-91": "91 spheres", "sphereflake-820": "820 spheres", sunflower: "a sunflower", finale: "the finale" };

@@ -2,7 +2,7 @@
 // by the student's functions.
 import { openView, sceneOf } from "../cast/scene_view.js";
 import { Helper, program } from "../worker_questions.js";
-import { saveAs } from "./answers.js";
+import { element, saveAs } from "./verdict.js";
 
 const NAMED = 8; // functions that are named under the picture
 
@@ -18,12 +18,9 @@ function credit(yours, total) {
 /** @returns {() => Promise<void>} to call when answers have changed */
 export function setUpOwnPicture({ place, site, course, answers }) {
     const still = place.querySelector("img"), total = Object.values(course.functions).flat().length;
-    const canvas = Object.assign(document.createElement("canvas"), { width: 1280, height: 720, tabIndex: 0, hidden: true });
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `${still.alt}. Arrow keys turn it, plus and minus go closer and farther away.`);
-    const words = Object.assign(document.createElement("p"), { className: "credit" });
-    words.setAttribute("role", "status");
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Save the picture", hidden: true });
+    const canvas = element("canvas", { width: 1280, height: 720, tabindex: 0, hidden: "", role: "img",
+        "aria-label": `${still.alt}. Arrow keys turn it, plus and minus go closer and farther away.` });
+    const words = element("p", { class: "credit", role: "status" }), button = element("button", { type: "button", hidden: "" }, "Save the picture");
     button.addEventListener("click", () => canvas.toBlob((blob) => saveAs("ray-casting.png", blob)));
     place.querySelector("figcaption").append(words, button);
     still.after(canvas);

@@ -39,7 +39,27 @@ function setUpDivider(divider) {
     });
 }
 
-const tabOf = (view) => $(`view-${view}`);
+/** Tabs by mouse and arrow keys; choose(tab) shows what belongs to it. */
+export function setUpTabs(tabs, choose) {
+    tabs.forEach((tab, at) => {
+        tab.addEventListener("click", () => choose(tab));
+        tab.addEventListener("keydown", ({ key }) => {
+            const next = tabs[(at + { ArrowRight: 1, ArrowLeft: tabs.length - 1 }[key]) % tabs.length];
+            if (next) {
+                choose(next);
+                next.focus();
+            }
+        });
+    });
+}
+export function selectTab(tabs, chosen) {
+    for (const tab of tabs) {
+        tab.setAttribute("aria-selected", String(tab === chosen));
+        tab.tabIndex = tab === chosen ? 0 : -1;
+    }
+}
+
+const tabsOfViews = () => VIEWS.map((view) => $(`view-${view}`));
 
 /** Shows the lesson, the code or the verdict, if there is no room for all. Each comes back where it was left. */
 export function showView(view) {
@@ -47,10 +67,7 @@ export function showView(view) {
     if (before !== view)
         scrolled[before] = scrollY;
     root.dataset.view = view;
-    for (const each of VIEWS) {
-        tabOf(each).setAttribute("aria-selected", String(each === view));
-        tabOf(each).tabIndex = each === view ? 0 : -1;
-    }
+    selectTab(tabsOfViews(), $(`view-${view}`));
     if (before !== view && getComputedStyle($("views")).display !== "none")
         scrollTo({ top: scrolled[view] ?? 0, behavior: "instant" });
 }
@@ -58,16 +75,7 @@ export function showView(view) {
 export function setUpRoom() {
     setUpDivider($("divider"));
     showView(root.dataset.view);
-    for (const view of VIEWS) {
-        tabOf(view).addEventListener("click", () => showView(view));
-        tabOf(view).addEventListener("keydown", ({ key }) => {
-            const next = VIEWS[(VIEWS.indexOf(view) + { ArrowRight: 1, ArrowLeft: 2 }[key]) % 3];
-            if (next) {
-                showView(next);
-                tabOf(next).focus();
-            }
-        });
-    }
+    setUpTabs(tabsOfViews(), (tab) => showView(tab.id.replace("view-", "")));
     addEventListener("click", ({ target }) => {
         if (target.closest?.('a[href="#exercise"]'))
             showView("code");

@@ -8,6 +8,14 @@ export const element = (name, attributes, ...children) => {
     made.append(...children);
     return made;
 };
+/** Hands the browser a file to save. */
+export function saveAs(name, blob) {
+    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
 /** A formula at the beginning keeps its letter. */
 export const sentence = (words) => words.replace(/^[a-z](?=[a-z])/, (letter) => letter.toUpperCase()) + (/[.?!]$/.test(words) ? "" : ".");
 /** A ~ holds a name and its number together. */

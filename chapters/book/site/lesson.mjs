@@ -1,6 +1,6 @@
 // lesson.mjs - a lesson in markdown as HTML: mathematics typeset, code colored, links led to the pages of the site,
 // and each figure ready to become live. Runs when the site is built.
-import { existsSync, readFileSync, statSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import { StreamLanguage } from "@codemirror/language";
 import { c } from "@codemirror/legacy-modes/mode/clike";
@@ -204,6 +204,3 @@ export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
     return { html, title: /^# (.*)$/m.exec(source)?.[1] ?? path, time: /^\| time \| (.*) \|$/m.exec(source)?.[1] ?? "",
         gives: /^\| gives \| (.*) \|$/m.exec(source)?.[1] ?? "" };
 }
-
-/** The page needs the size of a file for its progress. */
-export const sizeOf = (file) => statSync(file).size;

@@ -63,7 +63,7 @@ test("a run leaves nothing for the next one", async () => {
 });
 
 test("after a run the memory is again as the constructors left it", async () => {
-    const program = small.small, memory = () => Buffer.from(program.instance.exports.memory.buffer);
+    const program = small.small, memory = () => Buffer.from(program.exports.memory.buffer);
     program.begin();
     program.restore(); // the constructors leave something in the stack
     const before = Buffer.from(memory());
