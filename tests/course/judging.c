@@ -239,7 +239,7 @@ static bool needs_judging(const JudgingPlan *plan, int chapter)
 
 // ---- one chapter -------------------------------------------------------------------------------
 
-static char *text_of(const JudgingPlan *plan, int chapter, const char *name)
+static char *kept_text(const JudgingPlan *plan, int chapter, const char *name)
 {
     size_t size;
     char *text = whole_text(plan_file(plan, chapter, name).s, &size);
@@ -251,7 +251,7 @@ static char *text_of(const JudgingPlan *plan, int chapter, const char *name)
 typedef void Explainer(FILE *out, const char *source, const char *words);
 static char *explained(const JudgingPlan *plan, int chapter, Explainer *explainer, const char *said)
 {
-    char *text = NULL, *words = text_of(plan, chapter, said);
+    char *text = NULL, *words = kept_text(plan, chapter, said);
     size_t size;
     FILE *out = words != NULL && words[0] != '\0' ? open_memstream(&text, &size) : NULL;
     if (out != NULL) {
@@ -412,7 +412,7 @@ static void put_slips(const JudgingPlan *plan, int chapter, const ChapterRecord 
     const char *names[MOST_FUNCTIONS];
     for (int i = 0; i < report->function_count; i++)
         names[i] = report->functions[i].name;
-    char *said = text_of(plan, chapter, "compiler");
+    char *said = kept_text(plan, chapter, "compiler");
     ExplainedSlips slips = explain_slips(plan_answer(plan, chapter).s, said, function->name, names,
                                          (size_t)report->function_count);
     free(said);
