@@ -21,7 +21,7 @@ from grade.people.ledger import check_marks, read_ledger, stem_named  # noqa: E4
 from grade.people.sheets import SheetError  # noqa: E402
 from grade.policy import came_in, names_in_times  # noqa: E402
 from grade.report import files, text  # noqa: E402
-from grade.report.record import FAILED, NOTHING  # noqa: E402
+from grade.report.points import FAILED, NOTHING  # noqa: E402
 from grade.settings import arguments, remember as remember_settings, remembered, stop  # noqa: E402
 from grade.visible import visible, why  # noqa: E402
 

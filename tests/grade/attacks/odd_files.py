@@ -24,7 +24,7 @@ ODD_NAMES = [
     b"$(touch hostile-was-here)", b"; touch hostile-was-here", b"`touch hostile-was-here`", b"${HOME}", b"*", b"?",
     b"not\xffutf-8\xfe", "e\u0301".encode(), "\u00e9".encode(), "\u202edrawkcab".encode(),
     "\u674e\u5c0f\u9f99".encode(), b"a" * 200,
-    b"grades.csv", b"index.html", b"results.json", b"odd", b"ODD", b"NUL", b"seed", b"~",
+    b"grades.csv", b"index.html", b"junit.xml", b"results.json", b"odd", b"ODD", b"NUL", b"seed", b"~",
 ]
 
 

@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import re
+import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from grade.report.files import ANSWERS
@@ -125,6 +126,9 @@ def forged(out: Path, count: int) -> list:
     complaints += [f"grades.csv: a cell begins with {cell[:9]!r}" for row in rows for cell in row
                    if cell[:1] in tuple("=+-@\t\r") and not re.fullmatch(r"-?[\d.]+", cell)]
     complaints += [f"grades.csv: status {row[1]!r}" for row in rows[1:] if row[1] not in STATUSES]
+    names = tuple(record_of(result)["submission"] for result in results(out))
+    cases = [case.get("name", "") for case in xml.parse(out / "junit.xml").iter("testcase")]
+    complaints += [f"junit.xml: a test case {case}" for case in cases if not case.startswith(names)]
     for page in out.rglob("*.html"):
         text = page.read_text(encoding="utf-8").lower()
         if re.search(r"<script>alert|<b>forged|</pre><script|<forged", text):

@@ -131,7 +131,7 @@ class Faults(Sentences):
                    and row["01-corners"] == "", row)
         results = json.loads((out / FAULTS[0] / "results.json").read_text())
         self.check("results.json: neither a score nor a test", {"score", "tests"}.isdisjoint(results), results)
-        for name in ("index.html", f"{FAULTS[0]}/index.html"):
+        for name in ("index.html", f"{FAULTS[0]}/index.html", "junit.xml"):
             self.check(f"{name}: grader failed", "grader failed" in (out / name).read_text(encoding="utf-8"))
 
     def test_the_reference_comes_first(self) -> None:

@@ -1,4 +1,4 @@
-"""test_reports.py - nothing that a student wrote forges a result in JSON or CSV, acts on a terminal, or is
+"""test_reports.py - nothing that a student wrote forges a result in JSON, XML or CSV, acts on a terminal, or is
 more than words on a page; a comment says what 'make exercises' prints, and nothing hidden; a file is whole or not there.
 """
 import base64
@@ -13,14 +13,15 @@ import subprocess
 import sys
 import time
 import urllib.parse
+import xml.dom.minidom
 from pathlib import Path
 from unittest import mock
 
 from grade.report import files
 from grade.report.comment import fields, fitted, function_lines, stem_lines, stem_says, width
-from grade.report.formats import grades_csv, results_json
+from grade.report.formats import grades_csv, junit_xml, results_json
 from grade.report.html import class_page, submission_page
-from grade.report.record import clean
+from grade.report.points import clean
 from grade.report.text import closing
 from grade.visible import number, visible
 from .fixtures import Page, Sentences
@@ -58,6 +59,9 @@ class ReportFormats(Sentences):
             told = gradescope(one)["tests"][0]
             self.check(f"{status}: Gradescope's first test has the reason",
                        (told["name"], told["status"], told["output"]) == (status, "failed", reason), told)
+            error = xml.dom.minidom.parseString(junit_xml([one])).getElementsByTagName("error")[0]
+            self.check(f"{status}: JUnit has an error with the reason",
+                       (error.getAttribute("message"), error.getAttribute("type")) == (reason, status), error)
         self.check("what cannot be read is 0 for Gradescope, which shows no reason without a score",
                    gradescope(whole)["score"] == 0 and whole["score"] is None)
         self.check("what is read in part has the marks of the rest", len(gradescope(partly)["tests"]) > 1
@@ -98,6 +102,32 @@ class ReportFormats(Sentences):
         self.check("without a mark there is neither a score nor a test", {"score", "tests"}.isdisjoint(failed)
                    and failed["output"].startswith("grader failed: no score"), failed)
         self.assertRaises(ValueError, results_json, record("a", [], score=float("nan")))
+
+    def test_junit(self):
+        data = junit_xml(HOSTILES)
+        root = xml.dom.minidom.parseString(data).documentElement
+        suites, cases = root.getElementsByTagName("testsuite"), root.getElementsByTagName("testcase")
+        self.check("JUnit has a suite per submission", len(suites) == len(HOSTILE))
+        self.check("JUnit has a case per function and per stem without verdicts",
+                   len(cases) == POINTS * len(HOSTILE))
+        found = {name: len(root.getElementsByTagName(name)) for name in ("failure", "error", "skipped")}
+        self.check("wrong and unanswered fail, crashes are errors, a missing file is skipped",
+                   found == {"failure": 3 * len(HOSTILE), "error": 4 * len(HOSTILE), "skipped": len(HOSTILE)})
+        self.check("JUnit's own sums agree",
+                   [root.getAttribute(name) for name in ("tests", "failures", "errors", "skipped")]
+                   == [str(n * len(HOSTILE)) for n in (10, 3, 4, 1)])
+        names = [case.getAttribute("name") for case in cases]
+        self.check("no name of a case comes twice", len(set(names)) == len(names))
+        self.check("there are only JUnit's elements",
+                   {element.tagName for element in root.getElementsByTagName("*")}
+                   == {"testsuite", "properties", "property", "testcase", "failure", "error", "skipped"})
+        self.check("there is nothing in the place where GitLab looks for attachments", b"<system-out" not in data)
+        self.check("names come through",
+                   {visible(text) for text in HOSTILE} == {suite.getAttribute("name") for suite in suites})
+        self.check("an empty submission fails, it is not skipped",
+                   b"<failure" in junit_xml([ORDINARY[3]]) and b"<skipped" not in junit_xml([ORDINARY[3]]))
+        self.check("a submission without stems has its case",
+                   junit_xml([record("a", [], "crashed")]).count(b"<testcase") == 1)
 
 
 # ---- the grade book, the terminal, and all of them ----------------------------------------------
@@ -165,7 +195,7 @@ class ReportTables(Sentences):
                    "    2 of 5  05-quadratic  object_quadratic\n      fails: the deck\n" in closing(made))
 
     def test_all(self):
-        reports = {"grades.csv": grades_csv, "terminal": closing}
+        reports = {"grades.csv": grades_csv, "junit.xml": lambda them: junit_xml(them).decode(), "terminal": closing}
         mixed = HOSTILES + ORDINARY
         shuffled = random.Random(1).sample(mixed, len(mixed))
         unsafe = [{**one, "unsafe": True} for one in ORDINARY]
@@ -367,7 +397,8 @@ class Comment(Sentences):
         one = record("a", [stem("01-corners", [hidden, {**bare, "name": "upper_left"}])])
         results = json.loads(results_json(one))
         del results["extra_data"]
-        told = {"index.html": submission_page(one, "."), "results.json": json.dumps(results)}
+        told = {"index.html": submission_page(one, "."), "results.json": json.dumps(results),
+                "junit.xml": junit_xml([one]).decode()}
         for name, text in told.items():
             self.check(f"{name} describes a hidden input and does not print it",
                        not any(canary in text for canary in ("8.12345", "CANARY"))
@@ -378,7 +409,7 @@ class Comment(Sentences):
 # ---- files ---------------------------------------------------------------------------------------
 
 
-CLASS = {"grades.csv", "index.html"}
+CLASS = {"grades.csv", "junit.xml", "index.html"}
 
 
 def contents(folder: Path) -> dict:
@@ -412,7 +443,7 @@ class ReportFiles(Sentences):
             subprocess.run([sys.executable, "-B", "-c", program, self.work / seed], check=True, cwd=PACKAGES,
                            env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C"})
             written.append(contents(self.work / seed))
-        self.check("two runs write the same bytes, whatever the locale", written[0] == written[1] and len(written[0]) == 4)
+        self.check("two runs write the same bytes, whatever the locale", written[0] == written[1] and len(written[0]) == 5)
 
     def test_whole_or_not(self):
         one, out = ordinary_class()[0], str(self.work)

@@ -12,7 +12,7 @@ from grade.people.matching import class_of
 from grade.people.history import remember
 from grade.people.sheets import Sheet
 from grade.report import files
-from grade.report.record import NOTHING
+from grade.report.points import NOTHING
 from . import platforms
 from .fixtures import WithFolder, lay
 from .records import function, record, stem

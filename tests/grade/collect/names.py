@@ -14,7 +14,7 @@ LONGEST = 200  # bytes; file systems allow 255, and temporary names need room
 # Nobody hands these in: what systems and platforms leave, and the instructor's own tables and notes.
 CLUTTER = re.compile(r"\..*|__MACOSX|thumbs\.db|desktop\.ini|submission_metadata\.yml|index\.html|read ?me(\..*)?|"
                      r".*\.(csv|xlsx?|ods|numbers)", re.IGNORECASE | re.DOTALL)
-RESERVED = {"grades.csv", "history.csv", "ledger.csv", "figures", "return", "similar.html", "index.html"}
+RESERVED = {"grades.csv", "history.csv", "ledger.csv", "figures", "return", "similar.html", "junit.xml", "index.html"}
 
 
 def decoded(raw: bytes) -> str:

@@ -28,7 +28,7 @@ from grade.confine.machine import GraderFailed, limit
 from grade.confine.sandbox import choose
 from grade.people.ledger import Ledger, decide
 from grade.report import files
-from grade.report.record import FAILED, NOTHING
+from grade.report.points import FAILED, NOTHING
 from grade.settings import seed_of_class
 
 from .commands import read_kit

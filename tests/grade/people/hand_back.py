@@ -35,7 +35,7 @@ from grade.people.sheets import Sheet, SheetError  # noqa: E402
 from grade.policy import rounded  # noqa: E402
 from grade.report.files import put, read_record  # noqa: E402
 from grade.report.formats import table  # noqa: E402
-from grade.report.record import NOTHING, reason  # noqa: E402
+from grade.report.points import NOTHING, reason  # noqa: E402
 from grade.settings import as_last_time, stop  # noqa: E402
 from grade.visible import brief, number, visible, why  # noqa: E402
 

@@ -28,7 +28,7 @@ from grade.report.figures import by_exercise, handed_in, made_by, percent, score
 from grade.report.files import put, read_record  # noqa: E402
 from grade.report.formats import mark, table  # noqa: E402
 from grade.report.html import page, tag  # noqa: E402
-from grade.report.record import NOTHING, clean_class  # noqa: E402
+from grade.report.points import NOTHING, clean_class  # noqa: E402
 from grade.settings import stop  # noqa: E402
 from grade.visible import brief, number, visible, why  # noqa: E402
 

@@ -5,7 +5,7 @@ Everybody who handed in something and has a score counts.
 import statistics
 
 from .comment import mistake_words, sentence
-from .record import NOTHING
+from .points import NOTHING
 
 BINS = 10
 MOST = 8  # that many are explained again

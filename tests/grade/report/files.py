@@ -9,7 +9,7 @@ import os
 import secrets
 import time
 
-from .formats import grades_csv, results_json
+from .formats import grades_csv, junit_xml, results_json
 from .html import class_page, submission_page
 
 STALE = 3600  # seconds; what is older was left by a grader that was killed
@@ -70,6 +70,7 @@ def write_class(records: list, out_path: str, history=(), figures=()) -> None:
     os.makedirs(out_path, exist_ok=True)
     clear(out_path)
     put(out_path, "grades.csv", grades_csv(records))
+    put(out_path, "junit.xml", junit_xml(records))
     put(out_path, "index.html", class_page(records, history, figures))
 
 

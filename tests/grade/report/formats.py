@@ -1,14 +1,14 @@
-"""formats.py - the reports that programs read: grades.csv, and Gradescope's results.json."""
+"""formats.py - the reports that programs read: grades.csv, junit.xml, and Gradescope's results.json."""
 import csv
 import io
 import json
 import re
+import xml.etree.ElementTree as ElementTree
 
-from grade.collect.answers import PARTLY, UNREADABLE
+from grade.collect.answers import UNREADABLE
 from grade.visible import number, score
-from .comment import function_lines, stem_lines
 from .figures import stems_of
-from .record import UNSAFE, clean, clean_class, reason
+from .points import UNSAFE, any_unsafe, clean, clean_class, points, reason
 
 # ---- grades.csv ---------------------------------------------------------------------------------
 
@@ -63,6 +63,57 @@ def grades_csv(records: list) -> str:
     return table(rows)
 
 
+# ---- junit.xml ----------------------------------------------------------------------------------
+
+
+def comment_text(point: dict) -> str:
+    return "\n".join(point["lines"]) or point["message"]
+
+
+def add_case(suite: ElementTree.Element, submission: str, point: dict, used: set) -> None:
+    # Readers drop a second test of one name, so the submission is in it.
+    name = f"{submission}: {point['name']}"
+    while name in used:
+        name += " again"
+    used.add(name)
+    case = ElementTree.SubElement(suite, "testcase", classname=f"{submission}.{point['stem'] or 'submission'}",
+                                  name=name, time="0")
+    if point["outcome"] == "skipped":
+        ElementTree.SubElement(case, "skipped", message=point["message"])
+    elif point["outcome"] != "passed":
+        trouble = ElementTree.SubElement(case, point["outcome"], message=point["message"], type=point["state"])
+        trouble.text = comment_text(point)
+
+
+def counted(name: str, cases: list, seconds: float) -> dict:
+    """The attributes of a suite."""
+    outcomes = [point["outcome"] for point in cases]
+    return {"name": name, "tests": str(len(outcomes)), "failures": str(outcomes.count("failure")),
+            "errors": str(outcomes.count("error")), "skipped": str(outcomes.count("skipped")), "time": f"{seconds:.3f}"}
+
+
+def junit_xml(records: list) -> bytes:
+    """A wrong or unanswered function fails; a crash, an endless loop or a file that does not compile is an error; a
+    file that was not handed in is skipped. The inputs and results are in the failure, never in <system-out>, because
+    GitLab obeys tags that it finds there."""
+    records = clean_class(records)
+    told = [points(record) for record in records]
+    root = ElementTree.Element("testsuites", counted(UNSAFE if any_unsafe(records) else "grades", sum(told, []),
+                                                     sum(record["seconds"] for record in records)))
+    used = set()
+    for record, cases in zip(records, told):
+        suite = ElementTree.SubElement(root, "testsuite", counted(record["submission"], cases, record["seconds"]))
+        properties = ElementTree.SubElement(suite, "properties")
+        for name, value in (("status", record["status"]), ("score", number(record["score"])),
+                            ("max", number(record["max"])), ("seed", str(record["seed"])),
+                            ("sandbox", UNSAFE if record["unsafe"] else record["sandbox"])):
+            ElementTree.SubElement(properties, "property", name=name, value=value)
+        for point in cases:
+            add_case(suite, record["submission"], point, used)
+    ElementTree.indent(root, " ")
+    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+
+
 # ---- results.json -------------------------------------------------------------------------------
 
 
@@ -76,34 +127,17 @@ def summary(record: dict) -> str:
     return "\n".join(lines)
 
 
-def test(name: str, number: str, part: dict, passed: bool, says: str) -> dict:
-    """part: what has marks; says: what the student reads of it."""
-    return {**({} if part["score"] is None else {"score": part["score"]}), "max_score": part["max"],
-            "status": "passed" if passed else "failed", "name": name, "number": number, "output": says, "output_format": "text"}
-
-
-def function_test(stem: str, number: str, function: dict) -> dict:
-    """A waiting function passes if the policy gives it its marks."""
-    waits = function["state"] == "waiting"
-    passed = function["state"] == "right" or (waits and bool(function["score"] or not function["max"]))
-    return test(f"{stem}: {function['name']}", number, function, passed, "\n".join(function_lines(stem, function)) or "right")
-
-
-def tests(record: dict) -> list:
-    """One for each function of a stem that was judged, and for a stem that was not; one for a submission without stems, or
-    that was not read to its end. So nothing that a student wrote adds one."""
-    found = []
-    for place, stem in enumerate(record["stems"], 1):
-        name = stem["stem"]
-        number = str(int(name[:2])) if name[:2].isdecimal() else f"x{place}"
-        if stem["state"] == "judged":
-            found += [function_test(name, f"{number}.{index}", function) for index, function in enumerate(stem["functions"], 1)]
-        elif stem["state"] != "missing" or stem["max"]:     # else it was not asked for
-            found.append(test(f"{name}: {stem['state']}", number, stem, False, "\n".join(stem_lines(stem))))
-    if not found or record["status"] == PARTLY:
-        whole = {"score": 0, "max": 0} if found else record
-        found.insert(0, test(record["status"], "0", whole, False, record["words"] or record["status"]))
-    return found
+def test(point: dict) -> dict:
+    output = "\n".join(point["lines"])
+    return {
+        **({} if point["score"] is None else {"score": point["score"]}),
+        "max_score": point["max"],
+        "status": "passed" if point["outcome"] == "passed" else "failed",
+        "name": point["name"],
+        "number": point["number"],
+        "output": output or ("right" if point["outcome"] == "passed" else point["message"]),
+        "output_format": "text",
+    }
 
 
 def results_json(record: dict) -> str:
@@ -113,7 +147,7 @@ def results_json(record: dict) -> str:
     # Without a score and tests Gradescope says that the autograder failed, which is so, but not if the submission
     # cannot be read: then only a score shows the student the reason.
     earned = 0 if record["status"] == UNREADABLE else record["score"]
-    marks = {"score": earned, "tests": tests(record)}
+    marks = {"score": earned, "tests": [test(point) for point in points(record)]}
     results = {
         **(marks if earned is not None else {}),
         "execution_time": record["seconds"],

@@ -17,7 +17,7 @@ from .comment import fields, stem_lines
 from .figures import (bins, by_exercise, circumstances, handed_in, how_many, most_made, not_answered, of_section, quartiles,
                       sections, stems_of)
 from .formats import SUM
-from .record import NOTHING, UNSAFE, any_unsafe, clean, clean_class, reason
+from .points import NOTHING, UNSAFE, any_unsafe, clean, clean_class, reason
 
 POLICY = "default-src 'none'; img-src data: 'self'; style-src 'unsafe-inline'"
 STYLE = pathlib.Path(__file__).with_name("report.css").read_text(encoding="utf-8")
@@ -328,7 +328,7 @@ def gallery(records: list):
 def facts(records: list):
     rows = [("class", how_many(records).rstrip(".")), *circumstances(records)]
     files = []
-    for name in ("grades.csv", "history.csv"):
+    for name in ("grades.csv", "history.csv", "junit.xml"):
         files += [", " if files else "", tag("a", name, href=address(name))]
     rows = [part for name, value in rows for part in (tag("dt", name), tag("dd", value))]
     return tag("dl", *rows, tag("dt", "also"), tag("dd", *files))

@@ -7,7 +7,7 @@ from grade.collect.answers import PARTLY, UNREADABLE
 from grade.visible import number
 from .comment import COLUMNS, fitted, wrapped
 from .figures import bins, circumstances, handed_in, how_many, most_made, not_answered, quartiles, scored, stems_of
-from .record import FAILED, UNSAFE, any_unsafe, clean_class
+from .points import FAILED, UNSAFE, any_unsafe, clean_class
 
 LONG_CLASS = 40  # a class up to this size is shown in full
 MOST_LATE = 12  # that are named
