@@ -206,7 +206,7 @@ static void lobe_panel(Plot *plot, vec3 n, vec3 l)
     arrow(plot, "l2", vec3_of(0, 0, 0), l, (Label){"$l$", "orange", .step = 3});
     lobe(plot, "wide_lobe", n, l, 8, "shine 8", "blue");
     lobe(plot, "narrow_lobe", n, l, 80, "shine 80", "pink");
-    plot_pin(plot, 0.75, 0.07, {"how bright, seen from there", "grey", .step = 3});
+    plot_pin(plot, 0.75, 0.07, {"how bright from there", "grey", .step = 3});
     plot_panel(plot, 1);
 }
 
