@@ -111,6 +111,8 @@ void surface_vectors(Plot *plot, void *given)
     double h = halfway_angle(normal, light, eye, halfway);
 
     plot_look_flat(plot);
+    // On the narrow canvas the three lines of words are above.
+    plot_room(plot, (Room){0.03, 0.97, 0.04, 0.84}, (Room){0.03, 0.97, 0.04, 0.64});
     plot_number(plot, "diffuse", diffuse);
     plot_number(plot, "phong", phong);
     plot_number(plot, "halfway", halfway);
