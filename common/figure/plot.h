@@ -90,7 +90,7 @@ void plot_picture(Plot *plot, const char *name, const Image *image, double allow
 // Is the figure dragged just now, so that a coarser picture will do?
 bool plot_is_dragged(const Plot *plot);
 
-// ---- what the layout starts from (plot.c, plot_script.c) --------------------------------------
+// ---- what the layout starts from (plot_view.c, plot_script.c) -----------------------------------
 
 // A thing that the picture must show: a point, or a sphere of a radius.
 void plot_fit(Plot *plot, vec3 center, double radius);

@@ -13,10 +13,7 @@ enum { MOST_HANDLES = 12 };
 struct Plot {
     FILE *script;
     FILE *included; // the text before the data
-    FILE *fit;      // rows of $fit
-    char *fit_text;
-    size_t fit_size;
-    FILE *rows; // of the block that is being written
+    FILE *rows;     // of the block that is being written
     char *rows_text;
     size_t rows_size;
     char block[60], columns[120];
@@ -57,12 +54,6 @@ size_t plot_right_rows(const Plot *plot, const char *block, const char **begin);
 // A block ends, if one has begun; returns whether it differs from what is right.
 bool plot_block_end(Plot *plot);
 
-// ---- what has to be seen (plot.c) -------------------------------------------------------------
-
-// Writes $fit, when all else is written: what is right has to be seen, and of what is wrong the
-// parts that are near enough to leave the rest of the figure legible.
-void plot_fit_end(Plot *plot);
-
 // ---- from where it is seen (plot_view.c) --------------------------------------------------------
 
 PlotView *plot_view_new(void);
@@ -75,10 +66,11 @@ void plot_view_row(Plot *plot, vec3 from, vec3 vector);
 void plot_view_gap(Plot *plot);
 void plot_view_block_end(Plot *plot, const char *right, size_t size);
 
-// What has to be seen in the panel that is chosen; and nothing has to, up to here. What the words
-// of a name are.
-void plot_view_fit(Plot *plot, vec3 center, double radius);
-void plot_view_forget_fits(Plot *plot);
+// Writes $fit, when all else is written: what is right has to be seen, and of what is wrong the
+// parts that are near enough to leave the rest of the figure legible.
+void plot_view_fits_end(Plot *plot);
+
+// What the words of a name are.
 void plot_view_words(Plot *plot, const char *name, const char *value, size_t size);
 
 // Places the labels, and writes the places, when all else is written. Returns whether the figure

@@ -20,24 +20,18 @@ static const char *printing;
 // All of a file, for freeing; NULL and a message where it cannot be read.
 static char *text_of_file(const char *path)
 {
-    char *text = NULL;
+    char *text = NULL, part[4096];
     size_t size;
-    FILE *file = fopen(path, "r"), *copy = open_memstream(&text, &size);
-    if (file == NULL || copy == NULL) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
-        if (copy != NULL)
-            fclose(copy);
-        free(text);
-        return NULL;
-    }
-    char part[4096];
-    for (size_t n; (n = fread(part, 1, sizeof part, file)) > 0;)
+    FILE *file = fopen(path, "r"), *copy = file != NULL ? open_memstream(&text, &size) : NULL;
+    for (size_t n; copy != NULL && (n = fread(part, 1, sizeof part, file)) > 0;)
         fwrite(part, 1, n, copy);
-    bool read = !ferror(file); // a folder, for example
+    bool read = copy != NULL && !ferror(file); // not a folder, for example
     if (!read)
         fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
-    fclose(file);
-    fclose(copy);
+    if (copy != NULL)
+        fclose(copy);
+    if (file != NULL)
+        fclose(file);
     if (read)
         return text;
     free(text);
@@ -91,9 +85,8 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     plot->strip = open_memstream(&strip, &strip_size);
     plot->script = open_memstream(&data, &size);
     plot->included = open_memstream(&included, &included_size);
-    plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
     figure->data(plot, given);
-    plot_fit_end(plot);
+    plot_view_fits_end(plot);
     fputs(DATA_END "\n", plot->script);
     bool placed = plot_view_end(plot);
     if (note != NULL && note[0] != '\0' && plot->wrong)
@@ -123,15 +116,6 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     free(included);
     free(data);
 }
-
-// What a script is made of.
-typedef struct {
-    const char *layout;
-    bool own; // the layout is somebody's own, else a file of the toolkit
-    const Figure *figure;
-    FigureCommand command;
-    void *given;
-} Making;
 
 // A file in the folder of a page; NULL, and a message on stderr, if it cannot be written.
 static FILE *live_file(const char *folder, const char *name)
@@ -182,44 +166,43 @@ static bool finish_page(Plot *plot, FILE *out, const FigureCommand *command)
     return done;
 }
 
-static bool write_figure(FILE *out, const Making *making)
+// By the layout of the command, which is somebody's own, or by a file of the toolkit.
+static bool write_figure(FILE *out, const char *layout, const Figure *figure,
+                         const FigureCommand *command, void *given)
 {
-    const FigureCommand *command = &making->command;
-    const char *right = command->right;
-    char *head_text = text_of_toolkit_file(HEAD);
-    char *layout_text = head_text == NULL ? NULL
-                        : making->own     ? text_of_file(making->layout)
-                                          : text_of_toolkit_file(making->layout);
-    Plot plot = {.view = plot_view_new(),
-                 .right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
-    bool read = layout_text != NULL && (right == NULL || plot.right != NULL) &&
+    char *head_text = text_of_toolkit_file(HEAD), *layout_text = NULL, *unused = NULL;
+    if (head_text != NULL)
+        layout_text =
+            command->layout != NULL ? text_of_file(command->layout) : text_of_toolkit_file(layout);
+    Plot plot = {.view = plot_view_new()};
+    if (command->right != NULL && layout_text != NULL)
+        plot.right = text_of_file(command->right);
+    bool done = layout_text != NULL && (command->right == NULL || plot.right != NULL) &&
                 prepare_page(&plot, command);
     if (plot.right != NULL)
         keep_data(plot.right);
-    char *unused = NULL;
-    size_t unused_size;
-    FILE *script = command->drag != NULL ? open_memstream(&unused, &unused_size) : out;
-    if (read) {
-        write_script(&plot, script, making->figure, head_text, making->layout, layout_text,
-                     command->note, making->given);
-        read = finish_page(&plot, out, command);
+    size_t size;
+    FILE *script = command->drag != NULL ? open_memstream(&unused, &size) : out;
+    if (done) {
+        write_script(&plot, script, figure, head_text,
+                     command->layout != NULL ? command->layout : layout, layout_text, command->note,
+                     given);
+        done = finish_page(&plot, out, command) && !plot.failed;
     }
     if (script != out)
         fclose(script);
-    free(unused);
-    read = read && !plot.failed;
     plot_view_free(plot.view);
+    free(unused);
     free(plot.right);
     free(layout_text);
     free(head_text);
-    return read;
+    return done;
 }
 
 bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
                  const char *note, void *given)
 {
-    FigureCommand command = {.right = right, .note = note};
-    return write_figure(out, &(Making){layout, false, figure, command, given});
+    return write_figure(out, layout, figure, &(FigureCommand){.right = right, .note = note}, given);
 }
 
 static const Figure *figure_named(const char *program, const Figure *figures, const char *name)
@@ -234,16 +217,6 @@ static const Figure *figure_named(const char *program, const Figure *figures, co
     exit(EXIT_WRONG_USAGE);
 }
 
-// A layout's name: its file's, without folder and ending.
-static void name_of_layout(char *name, size_t size, const char *layout)
-{
-    const char *slash = strrchr(layout, '/');
-    snprintf(name, size, "%s", slash != NULL ? slash + 1 : layout);
-    char *dot = strrchr(name, '.');
-    if (dot != NULL && dot > name)
-        *dot = '\0';
-}
-
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
                 FigureCommand command, void *given)
 {
@@ -253,18 +226,20 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
         return EXIT_DONE;
     }
     Figure figure = *figure_named(program, figures, command.name);
-    const char *own = command.layout;
-    char path[300], own_name[300], *script = NULL;
+    Text layout = text_of("%s/figures/%s.gp", chapter, figure.name), name;
+    if (command.layout != NULL) { // a figure of somebody's own has the name of its file
+        const char *slash = strrchr(command.layout, '/');
+        name = text_of("%s", slash != NULL ? slash + 1 : command.layout);
+        char *dot = strrchr(name.s, '.');
+        if (dot != NULL && dot > name.s)
+            *dot = '\0';
+        figure.name = name.s;
+    }
+    char *script = NULL;
     size_t size;
     printing = program;
-    snprintf(path, sizeof path, "%s/figures/%s.gp", chapter, figure.name);
-    if (own != NULL) {
-        name_of_layout(own_name, sizeof own_name, own);
-        figure.name = own_name;
-    }
     FILE *out = open_memstream(&script, &size);
-    bool written = write_figure(
-        out, &(Making){own != NULL ? own : path, own != NULL, &figure, command, given});
+    bool written = write_figure(out, layout.s, &figure, &command, given);
     fclose(out);
     for (int i = 0; command.answers && i < answers_called(); i++)
         puts(answer_that_was_called(i));

@@ -198,15 +198,71 @@ void plot_panel(Plot *plot, int panel)
     plot->view->panel = panel;
 }
 
-void plot_view_fit(Plot *plot, vec3 center, double radius)
+void plot_fit(Plot *plot, vec3 center, double radius)
 {
-    Fit *fit = add(&plot->view->fits, sizeof(Fit));
-    *fit = (Fit){center, radius, plot->view->panel};
+    if (vec3_is_finite(center) && isfinite(radius))
+        *(Fit *)add(&plot->view->fits, sizeof(Fit)) = (Fit){center, radius, plot->view->panel};
 }
 
-void plot_view_forget_fits(Plot *plot)
+// Is a part of a wrong figure so near to what is right that the rest remains legible?
+static bool is_near(Fit part, const Fit *right, int count)
 {
-    plot->view->fits.count = 0;
+    enum { TIMES = 3 };
+    double far = 0, away = INFINITY;
+    const Fit *first = NULL;
+    for (const Fit *fit = right; fit < right + count; fit++) {
+        if (fit->panel != part.panel)
+            continue;
+        first = first == NULL ? fit : first;
+        far = fmax(far, vec3_length(fit->center - first->center) + fit->radius);
+        away = fmin(away, vec3_length(part.center - fit->center) + part.radius);
+    }
+    return first == NULL || away <= TIMES * far;
+}
+
+// With as many digits as the right numbers are written with: labels find the same places.
+static double as_written(double x)
+{
+    return strtod(gnuplot_number(x).s, NULL);
+}
+
+// The right parts must be visible, however wrong the others are.
+static void fit_right_parts(List *fits, const char *rows, size_t size)
+{
+    const List yours = *fits;
+    *fits = (List){0};
+    double x, y, z, radius;
+    int panel, used = 0;
+    for (const char *end = rows + size; rows < end && sscanf(rows, "%lf %lf %lf %lf %d\n%n", &x, &y,
+                                                             &z, &radius, &panel, &used) == 5;
+         rows += used)
+        *(Fit *)add(fits, sizeof(Fit)) = (Fit){vec3_of(x, y, z), radius, panel};
+    int right = fits->count;
+    for (const Fit *fit = yours.items, *end = fit + yours.count; fit < end; fit++) {
+        vec3 c = fit->center;
+        Fit part = {vec3_of(as_written(c[0]), as_written(c[1]), as_written(c[2])),
+                    as_written(fit->radius), fit->panel};
+        if (is_near(part, fits->items, right))
+            *(Fit *)add(fits, sizeof(Fit)) = part;
+    }
+    free(yours.items);
+}
+
+void plot_view_fits_end(Plot *plot)
+{
+    List *fits = &plot->view->fits;
+    const char *right;
+    size_t size = plot_right_rows(plot, "fit", &right);
+    plot_block_end(plot);
+    if (size > 0)
+        fit_right_parts(fits, right, size);
+    fputs("$fit << EOD\n# x y z radius of what has to be seen, and its panel\n", plot->script);
+    for (const Fit *fit = fits->items, *end = fit + fits->count; fit < end; fit++) {
+        for (int i = 0; i < 3; i++)
+            fprintf(plot->script, "%s ", gnuplot_number(fit->center[i]).s);
+        fprintf(plot->script, "%s %d\n", gnuplot_number(fit->radius).s, fit->panel);
+    }
+    fputs("EOD\n", plot->script);
 }
 
 void plot_view_words(Plot *plot, const char *name, const char *value, size_t size)
