@@ -10,67 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-// ---- a disc cut at the four edges of a window ---------------------------------------------------
+enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 
+// The part of the plane that is shown: t and aside, from low to high.
 typedef struct {
     double low[2], high[2];
 } Window;
-
-typedef struct {
-    double at[2];
-    bool on_circle; // if not, it is on the window's edge
-} Place;
-
-enum { ARC_PLACES = 512, MOST_PLACES = ARC_PLACES + 16 };
-
-// Keeps the part on the window's side of one edge: sign * at[axis] <= sign * limit.
-static int cut(Place *places, int count, int axis, double limit, double sign)
-{
-    Place left[MOST_PLACES];
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        Place a = places[i], b = places[(i + 1) % count];
-        double a_over = sign * (a.at[axis] - limit), b_over = sign * (b.at[axis] - limit);
-        if (a_over <= 0)
-            left[kept++] = a;
-        if ((a_over <= 0) != (b_over <= 0)) {
-            double part = a_over / (a_over - b_over);
-            Place edge = {.on_circle = false};
-            edge.at[1 - axis] = a.at[1 - axis] + part * (b.at[1 - axis] - a.at[1 - axis]);
-            edge.at[axis] = limit;
-            left[kept++] = edge;
-        }
-    }
-    memcpy(places, left, (size_t)kept * sizeof *places);
-    return kept;
-}
-
-// The corners of the part of the disc in the window, in order; returns their number.
-static int window_part(Window window, const double middle[2], double radius,
-                       Place places[MOST_PLACES])
-{
-    // Only the sector that contains the window, because a whole large circle would not be smooth.
-    double x = (window.low[0] + window.high[0]) / 2 - middle[0];
-    double y = (window.low[1] + window.high[1]) / 2 - middle[1];
-    double half = hypot(window.high[0] - window.low[0], window.high[1] - window.low[1]) / 2;
-    double flat = half / fmin(radius, hypot(x, y));
-    double wide = flat < 1 ? asin(flat) : PI, towards = atan2(y, x);
-    int count = 0;
-    for (int k = 0; k <= ARC_PLACES; k++) {
-        double angle = towards + wide * (2.0 * k / ARC_PLACES - 1);
-        places[count++] =
-            (Place){{middle[0] + radius * cos(angle), middle[1] + radius * sin(angle)}, true};
-    }
-    if (flat < 1)
-        places[count++] = (Place){{middle[0], middle[1]}, false};
-    for (int axis = 0; axis < 2; axis++) {
-        count = cut(places, count, axis, window.low[axis], -1);
-        count = cut(places, count, axis, window.high[axis], 1);
-    }
-    return count;
-}
-
-enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 
 // A sphere, turned around the ray into the paper, and measured in the ray's t.
 typedef struct {
@@ -249,19 +194,37 @@ static void window_data(Plot *plot, Window window)
     plot_number(plot, "high_y", window.high[1]);
 }
 
+// The part of a disc that is in the window: from one of its edges to the other, and back on the
+// other side of the disc. 'along': the direction in which the disc's edge goes, mostly.
+static void part_rows(Plot *plot, Circle c, Window w, double rgb)
+{
+    enum { STEPS = 512 };
+    const double middle[] = {c.t, c.aside};
+    double off[2], at[2];
+    for (int k = 0; k < 2; k++)
+        off[k] = fabs(middle[k] - (w.low[k] + w.high[k]) / 2);
+    int along = off[0] > off[1], across = 1 - along;
+    double low = fmax(w.low[along], middle[along] - c.radius);
+    double high = fmin(w.high[along], middle[along] + c.radius);
+    for (int i = 0; i < 2 * STEPS + 2; i++) {
+        bool back = i > STEPS;
+        at[along] = low + (high - low) * (back ? 2 * STEPS + 1 - i : i) / STEPS;
+        double aside = at[along] - middle[along];
+        double half = sqrt(fmax(0, (c.radius - aside) * (c.radius + aside)));
+        double edge = middle[across] + (back ? -half : half);
+        at[across] = fmax(w.low[across], fmin(w.high[across], edge));
+        plot_row(plot, at[0], at[1], rgb, at[across] == edge);
+    }
+    plot_gap(plot);
+}
+
 static void part_data(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w)
 {
     plot_block(plot, "parts", "t aside rgb, 1 on the circle");
-    for (int i = 0; i < count; i++) {
-        Circle c = circles[i];
-        Place places[MOST_PLACES];
-        int corners = c.part ? window_part(w, (double[]){c.t, c.aside}, c.radius, places) : 0;
-        double rgb = rgb_number(scene_surface(shown->shot.scene, c.sphere)->color);
-        for (int k = 0; k < corners; k++)
-            plot_row(plot, places[k].at[0], places[k].at[1], rgb, places[k].on_circle);
-        if (c.part)
-            plot_gap(plot);
-    }
+    for (int i = 0; i < count; i++)
+        if (circles[i].part)
+            part_rows(plot, circles[i], w,
+                      rgb_number(scene_surface(shown->shot.scene, circles[i].sphere)->color));
     plot_row(plot, NAN, NAN, 0, 0);
 }
 

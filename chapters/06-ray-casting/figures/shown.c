@@ -153,20 +153,18 @@ static void show_one_at_least(Shown *shown)
     show_sphere(shown, sphere);
 }
 
+static int common_divisor(int a, int b)
+{
+    return b == 0 ? a : common_divisor(b, a % b);
+}
+
 // A step that visits all the cells, each far from the one before. So if there is not room for all
 // spheres, those that are shown come from all over the picture.
 static int stride(int cells)
 {
     int step = (int)(0.618 * cells) + 1;
-    for (int a = step, b = cells; b != 1 && cells > 1;) {
-        int rest = a % b;
-        a = b;
-        b = rest;
-        if (b == 0) { // a common divisor
-            a = ++step;
-            b = cells;
-        }
-    }
+    while (common_divisor(step, cells) > 1)
+        step++;
     return step;
 }
 
