@@ -161,7 +161,7 @@ accept: $(FOR_CHECKS) $$(READY) ##+ what the transcripts' commands print is now 
 
 # The tests that need longer: a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
-FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
+FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES) $(B)/tests/benches/flat)
 # PROOFS='fuzz seeds': only these of tests/proof/.
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh) \
 	'tests/house/grade.sh long' 'tests/house/grade.sh attacks all')

@@ -41,4 +41,13 @@ x86_64*)
     ;;
 esac
 
+# ---- the bench ----------------------------------------------------------------------------------
+
+names_what_is_missing() {
+    mkdir "$scratch/bench"
+    PATH=/nowhere "$BUILD/tests/benches/flat" -p -e povray -e plain -r 1 -s 8x6 -o "$scratch/bench" "$three" >"$scratch/said" 2>&1 &&
+        says 'povray is not installed, so it is not measured' && says '  plain  '
+}
+[ -n "${BRIEF:-}" ] || check 'the bench names a peer that is not installed, and goes on' names_what_is_missing
+
 finish 'engines, long'
