@@ -147,6 +147,7 @@ test("a race of both orders and the engines", async () => {
     const race = () => page.$eval(".race", (section) => ({ said: section.querySelector("p").textContent, racers: Object.fromEntries([...section.querySelectorAll("li")].map((each) =>
         [each.querySelector("b").textContent, { words: each.querySelector("span").textContent, picture: each.querySelector("canvas").toDataURL() }])) }));
     await waitFor("a picture", isFine);
+    assert.deepEqual(await page.$$eval(".live-scene select", (all) => all.map((each) => each.value)), ["three-spheres", "image order"], "what calls the exercise casts first");
     await begin();
     const { racers } = await waitFor("the end of a race", async () => { const now = await race(); return Object.values(now.racers).filter(({ words }) => /a pixel/.test(words)).length === 7 && now; });
     const asked = (name) => Number(/([\d.]+) a pixel/.exec(racers[name].words)[1]);

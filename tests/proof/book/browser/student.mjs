@@ -67,6 +67,10 @@ test("chapters done as a student does them", async () => {
             assert.deepEqual(await tab.$$eval("#strip li", (all) => all.map((each) => each.dataset.state)), ["wrong", "wrong", "right", "right", "right"]);
             await waitFor("its figure", () => tab.$eval("#verdict-pictures", (place) => place.querySelector("img")?.naturalWidth > 0));
             await tab.shot(`student-${stem}-mistake`);
+            assert.ok(await tab.$eval("#verdict", (each) => { each.scrollTop = 30; return each.scrollTop; }) > 0, "it is longer than its place");
+            await write(right.replaceAll("(s - 0.5)", "s"));
+            await verdict("s from the edge", /image_plane_vector/);
+            assert.equal(await tab.$eval("#verdict", (each) => each.scrollTop), 0, "a new verdict is shown from its top");
         }
         await write(right);
         await verdict(`${stem} is right`, new RegExp(`${stem} is right`));
