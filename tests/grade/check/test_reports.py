@@ -37,13 +37,6 @@ def gradescope(one: dict) -> dict:
     return json.loads(results_json(one), parse_constant=lambda name: 1 / 0)
 
 
-def compile_errors() -> dict:
-    """A compiler message in which words are followed by colons."""
-    words = ["03-screen.c:8:6: error: request for member", "  union", "    8 |     v.x = 1;", "error: a: b", "note :  c", ": d", "key:", "- e: f", "---", "...", "| : g", "'quoted': h", "{}", "~"]
-    return record("a", [stem("03-screen", state="does not compile", most=1.0, words="\n".join(words))],
-                  "does not compile")
-
-
 def unread(status: str, **more) -> dict:
     """A submission of which something cannot be read; the reason quotes a student's names."""
     reason = '=1+1<b>.zip"\n: the archive is broken # SKIP'

@@ -93,16 +93,12 @@ def reasons(records: list, reason: str = "words") -> list:
     return lines
 
 
-def unlisted(records: list) -> list:
-    """Whose owner is not on the list of the class, or not known."""
-    those = [record for record in records if record["unlisted"]]
-    return [f"Of nobody on the list: {len(those)}"] + reasons(those, "unlisted") if those else []
-
-
-def unread(records: list) -> list:
-    """Who handed in something that cannot be read, and why."""
-    those = [record for record in records if record["status"] in (UNREADABLE, PARTLY)]
-    return [f"Cannot be read, or only partly: {len(those)}"] + reasons(those) if those else []
+def odd_ones(records: list) -> list:
+    """Whose work cannot be read, and whose owner is not on the list of the class, or not known; and why."""
+    unread = [record for record in records if record["status"] in (UNREADABLE, PARTLY)]
+    unlisted = [record for record in records if record["unlisted"]]
+    return [[f"{title}: {len(those)}"] + reasons(those, reason) for title, those, reason in (
+        ("Cannot be read, or only partly", unread, "words"), ("Of nobody on the list", unlisted, "unlisted")) if those]
 
 
 def failures(records: list) -> str:
@@ -128,8 +124,7 @@ def closing(records: list) -> str:
         distribution(records),
         mistakes(records),
         late(records),
-        unread(records),
-        unlisted(records),
+        *odd_ones(records),
         failures(records).splitlines(),
         wrapped("", f"{how_many(records)} Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,
