@@ -99,14 +99,17 @@ def steps_only_add(checks, program, name, steps, *options):
         before = (marks, labels)
 
 
-def on_the_canvas(checks, name, figure):
-    """No text is cut off, as wide as it may be."""
+def texts_off(figure):
+    """Text that is cut off, as wide as it may be."""
     for text in (text for text in figure.texts() if text.words):
         left, low, right, high = text.box
-        checks.that(f"{name}: {text.words!r} is on the canvas",
-                    left >= 0 and low >= -figure.strip and right <= figure.width and high <= figure.height,
-                    f"from {left:.0f}, {low:.0f} to {right:.0f}, {high:.0f}"
-                    f" of {figure.width:.0f} by {figure.height:.0f}")
+        if left < 0 or low < -figure.strip or right > figure.width or high > figure.height:
+            yield f"{text.words!r} leaves the canvas"
+
+
+def on_the_canvas(checks, name, figure):
+    found = list(texts_off(figure))
+    checks.that(f"{name}: all text is on the canvas", not found, "\n    ".join(found))
 
 
 AXES = ("t", "label of ticks", "columns", "rows", "numbers")  # titles of the plots that write numbers along one
@@ -316,11 +319,7 @@ def in_the_title(figure, texts, marks):
         yield f"{title!r} is in the title"
 
 
-def off_the_canvas(figure, texts, marks):
-    for text in texts:
-        left, low, right, high = text.box
-        if left < 0 or low < -figure.strip or right > figure.width or high > figure.height:
-            yield f"{text.words!r} leaves the canvas"
+def lines_off(figure, marks):
     for title in sorted({title for line, title in marks.lines for x, y in line if title and (
             not EDGE < x < figure.width - EDGE or not EDGE < y < figure.height - EDGE)}):
         yield f"{title!r} leaves the canvas"
@@ -350,7 +349,7 @@ def collisions(figure):
     texts = [text for text in figure.texts() if text.words]
     marks = Marks(figure)
     labels = labels_of(figure, texts, marks)
-    return [*overlapping(texts), *crossed(texts, marks), *off_the_canvas(figure, texts, marks),
+    return [*overlapping(texts), *crossed(texts, marks), *texts_off(figure), *lines_off(figure, marks),
             *in_the_title(figure, texts, marks), *misplaced(labels, marks)]
 
 

@@ -10,14 +10,10 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from check import SHAPES, Checks, Marks, off_the_canvas
+from check import SHAPES, Checks, Marks, lines_off, texts_off
 from figure import Figure
 
 EVERY = int(os.environ.get("MISTAKES") or 100)
-
-
-class NoMarks:
-    lines = ()
 
 
 def printed(*command):
@@ -60,10 +56,9 @@ def found_in(job):
                              for text in (script, script.replace("\nwrong = 1\n", "\nwrong = 0\n", 1)))
         except AssertionError as error:
             return f"{name}, {mistake}", [str(error)]
-        texts = [text for text in figure.texts() if text.words]
-        found += off_the_canvas(figure, texts, NoMarks)
-        found += [f"right: {words}" for words in off_the_canvas(right, [], Marks(right))]
-        if "\nwrong = 1\n" in script and not any(mistake.split()[0] in text.words for text in texts):
+        found += texts_off(figure)
+        found += [f"right: {words}" for words in lines_off(right, Marks(right))]
+        if "\nwrong = 1\n" in script and not any(mistake.split()[0] in text.words for text in figure.texts()):
             found.append("the mistake is not named")
     return f"{name}, {mistake}", found
 
