@@ -122,18 +122,13 @@ static Places shown(Places places, Range *x, double unit)
 
 static Text place_words(Places places, bool all_shown)
 {
-    Text text, first = number_shown_to(places.t[0], TEXT_DIGITS);
+    Text first = number_shown_to(places.t[0], TEXT_DIGITS);
     const char *beyond = all_shown ? "" : " (not in the figure)";
-    if (places.count == 0)
-        snprintf(text.s, sizeof text.s, places.kind == ROOTS ? "no root" : "no hit");
-    else if (places.count == 2)
-        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", first.s,
-                 number_shown_to(places.t[1], TEXT_DIGITS).s, beyond);
-    else if (places.kind == HIT)
-        snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere, first.s, beyond);
-    else
-        snprintf(text.s, sizeof text.s, "t = %.40s%s", first.s, beyond);
-    return text;
+    return places.count == 0    ? text_of(places.kind == ROOTS ? "no root" : "no hit")
+           : places.count == 2  ? text_of("t = %s and %s%s", first.s,
+                                          number_shown_to(places.t[1], TEXT_DIGITS).s, beyond)
+           : places.kind == HIT ? text_of("sphere %d at t = %s%s", places.sphere, first.s, beyond)
+                                : text_of("t = %s%s", first.s, beyond);
 }
 
 // seen: those of yours that are visible, as 'drawn' says.
@@ -142,8 +137,7 @@ static void say_places(Plot *plot, const Wrong *wrong, Places right, Places your
 {
     Text off = {""};
     if (right.count == 1 && yours.count == 1 && isfinite(right.t[0]) && isfinite(yours.t[0]))
-        snprintf(off.s, sizeof off.s, "off by %.60s",
-                 number_shown_to(yours.t[0] - right.t[0], 4).s);
+        off = text_of("off by %s", number_shown_to(yours.t[0] - right.t[0], 4).s);
     say(plot, wrong,
         (BesideWords){place_words(right, true).s, place_words(yours, seen.count == yours.count).s,
                       off.s, seen.count > 0 ? drawn : ""});
@@ -391,11 +385,8 @@ static int write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range
 
 static Text quadratic_words(Quadratic q)
 {
-    Text text;
-    snprintf(text.s, sizeof text.s, "a = %.40s, b = %.40s, c = %.40s",
-             number_shown_to(q.a, TEXT_DIGITS).s, number_shown_to(q.b, TEXT_DIGITS).s,
-             number_shown_to(q.c, TEXT_DIGITS).s);
-    return text;
+    return text_of("a = %s, b = %s, c = %s", number_shown_to(q.a, TEXT_DIGITS).s,
+                   number_shown_to(q.b, TEXT_DIGITS).s, number_shown_to(q.c, TEXT_DIGITS).s);
 }
 
 // The equation is given, and its roots are the answer; or it is the answer itself.
@@ -532,7 +523,6 @@ static bool draw_place(Plot *plot, Wrong *wrong)
     range_add(&y, right[1]);
     if (is_bad(wrong) || !range_try(&x, yours[0]) || !range_try(&y, yours[1]))
         return false;
-    Text off;
     plot_look_flat(plot);
     plot_number(plot, "has_given", has_given);
     if (has_given) {
@@ -560,10 +550,11 @@ static bool draw_place(Plot *plot, Wrong *wrong)
     double by[2]; // rounding is not a difference
     for (int i = 0; i < 2; i++)
         by[i] = same_within(yours[i], right[i], 1e-12) ? 0 : yours[i] - right[i];
-    snprintf(off.s, sizeof off.s, "off by %.100s", pair_shown_to(by[0], by[1], TEXT_DIGITS).s);
     say(plot, wrong,
         (BesideWords){pair_shown_to(right[0], right[1], TEXT_DIGITS).s,
-                      pair_shown_to(yours[0], yours[1], TEXT_DIGITS).s, off.s, "as a ring"});
+                      pair_shown_to(yours[0], yours[1], TEXT_DIGITS).s,
+                      text_of("off by %s", pair_shown_to(by[0], by[1], TEXT_DIGITS).s).s,
+                      "as a ring"});
     return true;
 }
 
@@ -605,11 +596,10 @@ static void write_outline(Plot *plot, Camera c, Resolution screen, Sphere sphere
 
 static Text box_words(ScreenRectangle box)
 {
-    Text text;
-    snprintf(text.s, sizeof text.s, "x %.30s to %.30s, y %.30s to %.30s",
-             number_shown_to(box.left, TEXT_DIGITS).s, number_shown_to(box.right, TEXT_DIGITS).s,
-             number_shown_to(box.top, TEXT_DIGITS).s, number_shown_to(box.bottom, TEXT_DIGITS).s);
-    return text;
+    return text_of("x %s to %s, y %s to %s", number_shown_to(box.left, TEXT_DIGITS).s,
+                   number_shown_to(box.right, TEXT_DIGITS).s,
+                   number_shown_to(box.top, TEXT_DIGITS).s,
+                   number_shown_to(box.bottom, TEXT_DIGITS).s);
 }
 
 static bool draw_rectangle(Plot *plot, Wrong *wrong)
@@ -700,29 +690,21 @@ static Ray as_long_as(Ray ray, Ray right)
 
 static Text ray_words(Ray ray, bool with_origin)
 {
-    Text text;
-    if (with_origin)
-        snprintf(text.s, sizeof text.s, "from %.60s along %.60s", vec3_shown_to(ray.origin, 4).s,
-                 vec3_shown_to(ray.direction, 4).s);
-    else
-        snprintf(text.s, sizeof text.s, "%s", vec3_shown_to(ray.direction, TEXT_DIGITS).s);
-    return text;
+    return with_origin ? text_of("from %s along %s", vec3_shown_to(ray.origin, 4).s,
+                                 vec3_shown_to(ray.direction, 4).s)
+                       : vec3_shown_to(ray.direction, TEXT_DIGITS);
 }
 
 static Text ray_off(Ray right, Ray yours)
 {
-    Text text;
     vec3 off = yours.origin - right.origin;
     vec3 cross = vec3_cross(yours.direction, right.direction);
     double angle = atan2(vec3_length(cross), vec3_dot(yours.direction, right.direction)) * 180 / PI;
-    if (vec3_length(off) > 1e-9 * (1 + vec3_length(right.origin)))
-        snprintf(text.s, sizeof text.s,
-                 angle < 1e-6 ? "starts off by %.60s"
-                              : "starts off by %.60s, points off by %.40s\u00b0",
-                 vec3_shown_to(off, 4).s, number_shown_to(angle, 3).s);
-    else
-        snprintf(text.s, sizeof text.s, "points off by %.40s\u00b0", number_shown_to(angle, 3).s);
-    return text;
+    Text points = text_of("points off by %s\u00b0", number_shown_to(angle, 3).s);
+    if (!(vec3_length(off) > 1e-9 * (1 + vec3_length(right.origin))))
+        return points;
+    return text_of(angle < 1e-6 ? "starts off by %s" : "starts off by %s, %s",
+                   vec3_shown_to(off, 4).s, points.s);
 }
 
 static bool draw_vector(Plot *plot, Wrong *wrong)

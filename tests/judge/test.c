@@ -318,15 +318,10 @@ Camera camera_of_the_deck(void)
 
 static Text roots_text(Roots roots, int digits)
 {
-    Text text;
-    if (roots.count == 1)
-        snprintf(text.s, sizeof text.s, "1 root, %.50s", number_text_to(roots.t[0], digits).s);
-    else if (roots.count == 2)
-        snprintf(text.s, sizeof text.s, "2 roots, %.50s and %.50s",
-                 number_text_to(roots.t[0], digits).s, number_text_to(roots.t[1], digits).s);
-    else
-        snprintf(text.s, sizeof text.s, "%d roots", roots.count);
-    return text;
+    Text first = number_text_to(roots.t[0], digits), second = number_text_to(roots.t[1], digits);
+    return roots.count == 1   ? text_of("1 root, %s", first.s)
+           : roots.count == 2 ? text_of("2 roots, %s and %s", first.s, second.s)
+                              : text_of("%d roots", roots.count);
 }
 
 void expect_roots(Roots yours, Roots expected, double within)
