@@ -15,6 +15,15 @@ from .fixtures import STEMS, WithFolder
 from .records import function, record, stem
 
 HEADING = "who,chapter,what,value,comment,by,when\n"
+# Adds so many comments: LEDGER WORD NUMBER.
+ADDING = """
+import sys; sys.path.insert(0, 'tests')
+from pathlib import Path
+from grade.people.ledger import add_decision
+for at in range(int(sys.argv[3])):
+    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', f'{sys.argv[2]} {at}', '', ''], [], lambda who: ['1'], str)
+    print(at, flush=True)
+"""
 PEOPLE = {"anna": ["1"], "ben": ["2"], "kim": ["3", "4"]}
 
 
@@ -153,24 +162,16 @@ class Ledgers(WithFolder):
         self.assertEqual(add("ben", "", "comment", "", 'two\nlines, "quoted"', "", ""), 3)
 
     def test_two_may_write_at_once(self):
-        program = ("import sys; sys.path.insert(0, 'tests'); from pathlib import Path\n"
-                   "from grade.people.ledger import add_decision\n"
-                   "for at in range(40):\n"
-                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', 'word', '', ''], [], lambda who: ['1'], str)\n")
-        writing = [subprocess.Popen([sys.executable, "-c", program, self.path]) for _ in range(3)]
+        writing = [subprocess.Popen([sys.executable, "-c", ADDING, self.path, str(at), "40"], stdout=subprocess.DEVNULL)
+                   for at in range(3)]
         self.assertEqual([one.wait() for one in writing], [0, 0, 0])
         self.assertEqual(len(read_ledger(self.path, STEMS, lambda who: ["1"], str).of("1").all), 120)
 
     def test_killed_while_it_is_written_no_line_is_lost(self):
         """Twenty kills; each line that was acknowledged is there, and nothing else."""
-        program = ("import sys; sys.path.insert(0, 'tests'); from pathlib import Path\n"
-                   "from grade.people.ledger import add_decision\n"
-                   "for at in range(10**6):\n"
-                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', f'{sys.argv[2]} {at}', '', ''], [], lambda who: ['1'], str)\n"
-                   "    print(at, flush=True)\n")
         chance, done = random.Random(5), []
         for again in range(20):
-            adding = subprocess.Popen([sys.executable, "-c", program, self.path, str(again)], stdout=subprocess.PIPE, text=True)
+            adding = subprocess.Popen([sys.executable, "-c", ADDING, self.path, str(again), "1000000"], stdout=subprocess.PIPE, text=True)
             adding.stdout.readline()
             time.sleep(chance.random() / 50)
             adding.send_signal(signal.SIGKILL)

@@ -47,11 +47,15 @@ class Returned(WithFolder):
                           score=score, max=10, status="graded" if one.parts else NOTHING,
                           person={field: getattr(one.person, field) for field in ("name", "id", "login", "mail") if getattr(one.person, field)})
             records.append(made)
-            if one.parts:
-                files.write_submission(made, str(self.out / one.folder))
-        self.out.mkdir(exist_ok=True)
-        remember(records, self.out)
+        self.write(records)
         return records
+
+    def write(self, records: list) -> None:
+        """As if they had just been marked."""
+        for one in records:
+            if one["stems"]:
+                files.write_submission(one, str(self.out / one["folder"]))
+        remember(records, self.out)
 
     def command(self, platform, **settings) -> tuple:
         environment = {**os.environ, "FOR": platform, "SUBMISSIONS": str(self.room), "CLASS": str(self.list), "OUT": str(self.out)}
@@ -140,8 +144,7 @@ class Returned(WithFolder):
         them = platforms.students(12)
         records = self.marked(them, platforms.canvas, platforms.canvas_gradebook)
         records[2].update(score=3, max=6)
-        files.write_submission(records[2], str(self.out / records[2]["folder"]))
-        remember(records, self.out)
+        self.write(records)
         self.hand_back("canvas", GRADES=self.grades(platforms.canvas_gradebook(them)), COLUMN="Week 1")
         back = Sheet(self.out / "return" / "canvas" / "grades.csv")
         self.assertEqual([back.cell(back.rows[at + 2], back.column("Week 1 (77)")) for at in (2, 3)], ["5", "0.03"])
@@ -157,9 +160,7 @@ class Returned(WithFolder):
         lay(self.room, {"anna/01-corners.c": b"x", "u1/01-corners.c": b"x"})
         made = [record(one.name, [stem("01-corners", [function("a", most=10.0)])], folder=one.folder, score=at + 1)
                 for at, one in enumerate(class_of(self.room, None, STEMS).found)]
-        for one in made:
-            files.write_submission(one, str(self.out / one["folder"]))
-        remember(made, self.out)
+        self.write(made)
         said = self.hand_back("gradescope", GRADES=self.grades(b"First Name,Last Name,SID,Email,Week 1\nAnna,,1,u1@x.org,\n"),
                               COLUMN="Week 1", CLASS="")
         self.assertIn("Not in grades.csv: 1, u1", said)
@@ -170,9 +171,7 @@ class Returned(WithFolder):
         lay(self.room, {f"{name}/01-corners.c": b"x" for name in names})
         found = class_of(self.room, None, STEMS).found
         made = [record(one.name, [stem("01-corners", [function("a")])], folder=one.folder) for one in found]
-        for one in made:
-            files.write_submission(one, str(self.out / one["folder"]))
-        remember(made, self.out)
+        self.write(made)
         for platform in ("folder", "moodle"):
             words, environment = self.command(platform)
             done = subprocess.run(words, env={**environment, "CLASS": ""}, capture_output=True, text=True)
