@@ -131,7 +131,7 @@ export const partsOf = (written) => written.split("\x1e").slice(0, -1).map((part
  * Judges the answers of one student.
  * @param {{modules: {course: WebAssembly.Module, judge: WebAssembly.Module},
  *          files: Map<string, Uint8Array|string>,
- *          compile?: Function, link?: Function}} given
+ *          compile: Function, link?: Function}} given
  *        files: those of build/book/tree. compile and link: the commands of its plan; each is given
  *        the words of the command and all files, puts its output there, and returns
  *        {status, said, module?}; without link, or if it returns nothing, a picture waits for draw()
@@ -148,7 +148,7 @@ export function createJudge({ modules, files: given, compile, link }) {
         compile(words) {
             const before = compiled[stemOf(words.at(-1))];
             if (!before)
-                return compile ? compile(words, files) : { status: 127, said: "no compiler\n" };
+                return compile(words, files);
             if (!before.module && before.stage !== "link")
                 return { status: before.status || 1, said: before.messages };
             files.put(option(words, "-o"), before.object ?? files.get(words.at(-1)));
@@ -156,19 +156,11 @@ export function createJudge({ modules, files: given, compile, link }) {
         },
         link(words) {
             const output = option(words, "-o"), lent = words.filter((w) => w.startsWith("--lend=")).map((w) => w.slice(7)).join(" ");
-            const before = compiled[output.split("/").at(-2)], isAnswer = /\/(answering|alone)$/.test(output);
-            if (isAnswer && before) {
-                if (!before.module)
-                    return { status: before.status || 1, said: before.messages };
-                made.set(output, { module: before.module, lent });
-                return { status: 0, said: "" };
-            }
-            const known = isAnswer && lent !== "" && made.get(output.replace(/alone$/, "answering"));
-            if (known) {
-                made.set(output, { module: known.module, lent });
-                return { status: 0, said: "" };
-            }
-            const linked = link?.(words.filter((w) => !w.startsWith("--lend=")), files) ?? links.get(words.join(" "));
+            const isAnswer = /\/(answering|alone)$/.test(output);
+            // Linked before: by the page, or with nothing lent.
+            const before = isAnswer && (compiled[output.split("/").at(-2)] ?? (lent && made.get(output.replace(/alone$/, "answering"))));
+            const linked = !before ? link?.(words.filter((w) => !w.startsWith("--lend=")), files) ?? links.get(words.join(" "))
+                : before.module ? { status: 0, said: "", module: before.module } : { status: before.status || 1, said: before.messages };
             if (!linked)
                 throw new NeedsLink(words);
             if (linked.module)
@@ -253,9 +245,8 @@ export function createJudge({ modules, files: given, compile, link }) {
                 mine.set(shown.needs.join(" "), await linkPicture(shown.needs, files));
             }
         },
-        /** One hint more, as parts; a line for each function, as 'make status'; the blank again. */
+        /** One hint more, as parts; a line for each function, as 'make status'. */
         hint(stem, given = {}) { take(given); return course("hint", [stem], { WEB: "1" }); },
         status(stems) { return course("status", stems); },
-        reset(stem) { return course("reset", [stem]); },
     };
 }
