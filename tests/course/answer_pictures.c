@@ -155,7 +155,7 @@ static void say_picture(const Page *page, const char *path, const char *shows, c
     page_terminal(page, "  %-*s%s\n", PAGE_LABEL - 2, "picture", path);
     if (page->is_brief || page->is_web)
         return;
-    page_words(page, PLAIN, PAGE_LABEL, PAGE_LABEL, words);
+    page_words(page, PLAIN, PAGE_LABEL, PAGE_LABEL, "%s", words);
 }
 
 static bool show_picture(const Page *page, const JudgingPlan *plan, int chapter,
@@ -387,7 +387,7 @@ void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
     char words[300];
     snprintf(words, sizeof words, "%s is right. %s", plan->chapters[chapter].stem, now);
     page_part(page, "right", plan->chapters[chapter].stem, words);
-    page_line(page, PLAIN, words);
+    page_line(page, PLAIN, "%s", words);
     fflush(page->out);
     show_chapter_picture(page, plan, chapter);
     show_answer_pictures(page, plan, chapter, true);

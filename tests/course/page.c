@@ -59,14 +59,17 @@ void page_part(const Page *page, const char *kind, const char *label, const char
         fprintf(page->out, "%s\x1f%s\x1f%s\x1e", kind, label, words);
 }
 
-void page_line(const Page *page, PageColor color, const char *line)
+void page_line(const Page *page, PageColor color, const char *format, ...)
 {
-    if (page->is_web)
-        return;
-    begin(page, line[0] != '\0' ? color : PLAIN);
-    fprintf(page->out, "%s", line);
-    end(page, line[0] != '\0' ? color : PLAIN);
-    putc('\n', page->out);
+    va_list given;
+    va_start(given, format);
+    if (!page->is_web) {
+        begin(page, color);
+        vfprintf(page->out, format, given);
+        end(page, color);
+        putc('\n', page->out);
+    }
+    va_end(given);
 }
 
 // Up to the next blank outside parentheses: a vector stays in one piece.
@@ -116,8 +119,13 @@ void page_field(const Page *page, PageColor color, const char *label, const char
     wrap(page, color, column, PAGE_LABEL, words);
 }
 
-void page_words(const Page *page, PageColor color, int first, int others, const char *words)
+void page_words(const Page *page, PageColor color, int first, int others, const char *format, ...)
 {
+    char words[8200];
+    va_list given;
+    va_start(given, format);
+    vsnprintf(words, sizeof words, format, given);
+    va_end(given);
     page_part(page, "words", "", words);
     if (page->is_web)
         return;

@@ -23,8 +23,9 @@ typedef struct {
 // NO_COLOR is set or TERM is dumb. Not brief. WEB in the environment: for a browser.
 Page page_on(FILE *out);
 
-// A line as it is, and text as printf writes it: for a terminal only.
-void page_line(const Page *page, PageColor color, const char *line);
+// A line, and text, as printf writes it: for a terminal only.
+void page_line(const Page *page, PageColor color, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 void page_terminal(const Page *page, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // For a browser only: a part.
@@ -35,8 +36,10 @@ void page_part(const Page *page, const char *kind, const char *label, const char
 enum { PAGE_LABEL = 13 };
 void page_field(const Page *page, PageColor color, const char *label, const char *words);
 
-// Words that wrap: the first line begins in one column, the others in another.
-void page_words(const Page *page, PageColor color, int first, int others, const char *words);
+// Words as printf writes them, which wrap: the first line begins in one column, the others in
+// another.
+void page_words(const Page *page, PageColor color, int first, int others, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
 
 // A program's output: a limited number of lines under a label, without control characters.
 void page_printed(const Page *page, const char *label, const char *text);

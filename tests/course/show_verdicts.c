@@ -1,6 +1,7 @@
 // show_verdicts.c - the records of the chapters, as a student reads them.
 #include "tests/course/course.h"
 
+#include "common/text.h"
 #include "tests/judge/exercise.h"
 
 #include <ctype.h>
@@ -52,20 +53,18 @@ static void show_lines(const Page *page, const char *text)
     for (char *rest = copy, *line;
          rest != NULL && count < MOST_LINES && (line = strsep(&rest, "\n")) != NULL; count++)
         if (rest != NULL || line[0] != '\0')
-            page_line(page, strncmp(line, "  help:", 7) == 0 ? YELLOW : PLAIN, line);
+            page_line(page, strncmp(line, "  help:", 7) == 0 ? YELLOW : PLAIN, "%s", line);
     free(copy);
 }
 
 static void show_header(const Page *page, const Exercise *exercise, const char *state)
 {
     page_part(page, "function", exercise->name, "");
-    char line[400], slide[400];
-    int column = snprintf(line, sizeof line, "%s  %s%s", exercise->stem, exercise->name, state);
-    int length = snprintf(slide, sizeof slide, "slide: %s", exercise->slide);
-    int room = page->columns - column;
-    if (room > length && column + length < (int)sizeof line)
-        snprintf(line + column, sizeof line - (size_t)column, "%*s", room, slide);
-    page_line(page, BOLD, line);
+    Text line = text_of("%s  %s%s", exercise->stem, exercise->name, state),
+         slide = text_of("slide: %s", exercise->slide);
+    int room = page->columns - (int)strlen(line.s);
+    bool fits = room > (int)strlen(slide.s);
+    page_line(page, BOLD, "%s%*s", line.s, fits ? room : 0, fits ? slide.s : "");
 }
 
 // A sentence goes on after the colon: no capital, except for a letter that is a name.
@@ -150,7 +149,7 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     if (unanswered) {
         page_field(page, PLAIN, "asked", exercise->prompt);
     } else {
-        page_words(page, PLAIN, 2, 2, test_sentence(function).s);
+        page_words(page, PLAIN, 2, 2, "%s", test_sentence(function).s);
     }
     show_call(page, &(ShownCall){
                         .hidden = function_value(function, "hidden")[0] != '\0',
@@ -164,36 +163,28 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     if (function_value(function, "comma")[0] == '\0')
         show_diagnosis(page, function);
     for (int i = 0; i < function->count; i++)
-        if (strcmp(function->entries[i].key, "help") == 0) {
-            char words[1000];
-            snprintf(words, sizeof words, "help: %s", function->entries[i].value);
-            page_words(page, YELLOW, 2, 8, words);
-        }
-    if (is_blank(chapter) && chapter->missing.like[0] != '\0') {
-        char words[500];
-        snprintf(words, sizeof words, "help: there is also '%s'. Only %s.c is your answer.",
-                 chapter->missing.like, chapter->stem);
-        page_words(page, YELLOW, 2, 8, words);
-    }
+        if (strcmp(function->entries[i].key, "help") == 0)
+            page_words(page, YELLOW, 2, 8, "help: %s", function->entries[i].value);
+    if (is_blank(chapter) && chapter->missing.like[0] != '\0')
+        page_words(page, YELLOW, 2, 8, "help: there is also '%s'. Only %s.c is your answer.",
+                   chapter->missing.like, chapter->stem);
     show_figure(page, plan, function->name, shown);
     page_terminal(page, "  %-*smake %s EX=%.2s\n", PAGE_LABEL - 2, "try",
                   has_ended ? "debug" : "hint", chapter->stem);
     if (!page->is_brief)
         show_lines(page, warnings);
-    page_line(page, PLAIN, "");
+    page_terminal(page, "\n");
 }
 
 void show_missing(const Page *page, const JudgingPlan *plan, const char *stem,
                   const MissingAnswer *missing)
 {
-    char line[MOST_PLAN_PATH + 600];
-    snprintf(line, sizeof line, "%s  %s/%s.c is missing", stem, plan->answers, stem);
-    page_line(page, BOLD, line);
+    page_line(page, BOLD, "%s  %s/%s.c is missing", stem, plan->answers, stem);
     if (missing->like[0] != '\0')
-        snprintf(line, sizeof line, "help: there is '%s': rename it to %s.c.", missing->like, stem);
+        page_words(page, YELLOW, 2, 8, "help: there is '%s': rename it to %s.c.", missing->like,
+                   stem);
     else
-        snprintf(line, sizeof line, "help: make reset EX=%.2s puts the blank there.", stem);
-    page_words(page, YELLOW, 2, 8, line);
+        page_words(page, YELLOW, 2, 8, "help: make reset EX=%.2s puts the blank there.", stem);
 }
 
 // NULL if there is a verdict.
@@ -211,17 +202,15 @@ static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapt
 {
     if (is_lost(plan, chapter)) {
         show_missing(page, plan, chapter->stem, &chapter->missing);
-        page_line(page, PLAIN, "");
+        page_terminal(page, "\n");
         return;
     }
     const char *what = trouble_of(chapter);
     if (what != NULL) {
-        char line[200];
-        snprintf(line, sizeof line, "%s  %s:", chapter->stem, what);
         page_part(page, "trouble", chapter->stem, what);
-        page_line(page, BOLD, line);
+        page_line(page, BOLD, "%s  %s:", chapter->stem, what);
         show_lines(page, record_value(&chapter->record, "words"));
-        page_line(page, PLAIN, "");
+        page_terminal(page, "\n");
         return;
     }
     const char *states[] = {"wrong", "unanswered"};
@@ -240,13 +229,11 @@ static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapt
 
 static void show_names(const Page *page, const char *label, const char *names)
 {
-    char line[8000];
     if (names[0] == '\0')
         return;
     page_part(page, "field", label, names);
-    snprintf(line, sizeof line, "%s: %s", label, names);
     if (!page->is_web)
-        page_words(page, PLAIN, 20, 21, line);
+        page_words(page, PLAIN, 20, 21, "%s: %s", label, names);
 }
 
 static void append(char *list, size_t size, const char *separator, const char *format,
@@ -299,16 +286,14 @@ static void show_progress(const Page *page, const JudgingPlan *plan, const Chapt
                           bool is_next, char stands_on[64])
 {
     const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
-    char counted[40], line[200];
-    snprintf(counted, sizeof counted, "%d of %d", functions_that_are(&chapter->record, "right"),
-             chapter->record.function_count);
+    Text counted = text_of("%d of %d", functions_that_are(&chapter->record, "right"),
+                           chapter->record.function_count);
     const char *trouble = trouble_of(chapter), *words = trouble != NULL               ? trouble
                                                         : strcmp(state, "right") == 0 ? "done"
                                                         : is_lost(plan, chapter)      ? "missing"
                                                         : strcmp(state, "blank") == 0 ? "not yet"
-                                                                                      : counted;
-    snprintf(line, sizeof line, "  %-16s %s%s", chapter->stem, words, is_next ? "   <- next" : "");
-    page_line(page, PLAIN, line);
+                                                                                      : counted.s;
+    page_line(page, PLAIN, "  %-16s %s%s", chapter->stem, words, is_next ? "   <- next" : "");
     if (is_next && !is_lost(plan, chapter)) {
         if (!page->is_web) // a page shows the state of each
             show_those(page, chapter, "wrong", "wrong");
@@ -361,13 +346,10 @@ Progress progress_so_far(const JudgingPlan *plan)
 static void show_progress_so_far(const Page *page, const JudgingPlan *plan)
 {
     Progress progress = progress_so_far(plan);
-    char line[100], unjudged[50] = "";
-    if (progress.unjudged > 0)
-        snprintf(unjudged, sizeof unjudged, "; %d chapter%s not judged yet", progress.unjudged,
-                 progress.unjudged == 1 ? "" : "s");
-    snprintf(line, sizeof line, "  %-16s %d of %d functions are right%s", "all chapters",
-             progress.right, progress.of, unjudged);
-    page_line(page, PLAIN, line);
+    Text unjudged = text_of("; %d chapter%s not judged yet", progress.unjudged,
+                            progress.unjudged == 1 ? "" : "s");
+    page_line(page, PLAIN, "  %-16s %d of %d functions are right%s", "all chapters", progress.right,
+              progress.of, progress.unjudged > 0 ? unjudged.s : "");
 }
 
 // Wrong comes before what is not answered yet. An answer with another name counts as wrong.
@@ -388,7 +370,7 @@ void show_faults(const Page *page, const JudgingPlan *plan)
     bool any = false;
     for (int i = 0; i < plan->count; i++) {
         Chapter chapter = {.stem = plan->chapters[i].stem};
-        char names[4000] = "", line[4200];
+        char names[4000] = "";
         chapter.is_known = judging_record(plan, i, &chapter.record);
         for (int k = 0; k < chapter.record.function_count; k++)
             if (function_is(&chapter.record.functions[k], "wrong"))
@@ -400,10 +382,9 @@ void show_faults(const Page *page, const JudgingPlan *plan)
             any = true;
             static const char padding[] = "~~~~~~~~~~~~~~~~~~~~"; // as blanks that do not break
             size_t length = strlen(chapter.stem), most = sizeof padding - 1;
-            snprintf(line, sizeof line, "%s%s %s%s", chapter.stem,
-                     padding + (length < most ? length : most),
-                     trouble != NULL ? trouble : "wrong: ", names);
-            page_words(page, PLAIN, 2, 23, line);
+            page_words(page, PLAIN, 2, 23, "%s%s %s%s", chapter.stem,
+                       padding + (length < most ? length : most),
+                       trouble != NULL ? trouble : "wrong: ", names);
         }
         chapter_record_free(&chapter.record);
     }
@@ -469,7 +450,7 @@ Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool cho
             show_progress(page, plan, &chapters[i], &chapters[i] == next, stands_on);
     show_progress_so_far(page, plan);
     if (next == NULL || !page->is_brief || stands_on[0] != '\0')
-        page_line(page, PLAIN, "");
+        page_terminal(page, "\n");
     if (next != NULL && (!page->is_brief || stands_on[0] != '\0')) {
         bool has_trouble = first_that_is(&next->record, "wrong") != NULL ||
                            first_that_is(&next->record, "unanswered") != NULL;
