@@ -59,6 +59,12 @@ check 'of a scene that is too long, the function is named' says 'wrong: nearest_
 check 'and the result is there' says '  yours '
 check 'what can be said about it' says '  but '
 
+# A line for the picture of what is wrong, and one for the last of those that have become right.
+begins_with 07-shading phong_term 'return (Color){0};'
+rm -f "build$answers"/verdict/*.drawn
+on_screen 07-shading
+check 'a wrong function does not hide what has become right' [ "$(grep -c '^  picture .*\(gamma\|highlights\)' "$scratch/said")" -eq 2 ]
+
 # By make, which would have words of its own about an end that is no error.
 ended_by_interrupt() {
     env -u NO_COLOR -u COLUMNS python3 -B tests/house/runner/terminal.py make --no-print-directory watch EX=03 \
