@@ -196,6 +196,11 @@ if figure is not None:
     checks.near("sphere_rectangle: the outline reaches the edges", ends, [at(32, -456), at(608, -24)])
     has_words(figure, "x 32 to 608, y 24 to 456", "x 24.8 to 615.2, y 18.6 to 461.4", "", "under the root")
 
+# Of one that is too small to be seen the place is marked.
+figure = figure_of("sphere_rectangle", "08-fast", ("r = sphere.radius", "r = 0.002 * sphere.radius"))
+if figure is not None:
+    checks.near("sphere_rectangle: a tiny one has a mark", figure.dots("yours, tiny"), figure.see_flat()(320, -240), 1)
+
 # ---- roots and hits -----------------------------------------------------------------------------------
 
 
