@@ -116,11 +116,11 @@ is_locked() {
 }
 check 'a run waits for another in the same folder' waits_for_the_lock
 
-# A save before watch has judged for the first time is also judged.
+# A save of what watch has just judged, before it has judged all for the first time, is also judged.
 saved_early() {
     fresh
     start make --no-print-directory watch ANSWERS="$answers" >"$scratch/watched" 2>&1
-    wait_until test -e "build$answers/verdict/01-corners/answer.o" || return 1
+    wait_until test -e "build$answers/verdict/04-pixel-ray/answer.o" || return 1
     sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$answers/03-screen.c"
     wait_until grep -q 'looks like' "$scratch/watched"
     status=$?
