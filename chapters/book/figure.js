@@ -199,7 +199,7 @@ function pictureIn(script, name) {
 /**
  * @param {string} svg by gnuplot
  * @param {string} words the figure in words: its title, and its description
- * @param {string} script with the pictures for which gnuplot drew frames (common/figure/pictures.gp)
+ * @param {string} script with the pictures for which gnuplot drew frames (common/figure/plot.gp)
  */
 export function finishFigure(svg, words, script) {
     const [title, ...rest] = words.replace(/ +/g, " ").replace(/ \n/g, "\n").split("\n");

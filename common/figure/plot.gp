@@ -230,6 +230,36 @@ mark(who) = who == 0 ? 7 : 6
 # Your result in words, if it is wrong: your("place_text"); else nothing.
 your(name) = exists("your_".name) ? value("your_".name) : ""
 
+# ---- a line past a circle: its looks ----------------------------------------------------------------
+
+# If your number differs, 1: the number of your marks to draw.
+differs(name) = exists("your_".name)
+# The root that is the hit is blue, another one ahead of p is ink.
+color(t) = abs(t - hit) <= 1e-6 * abs(hit) ? blue : t > 0 ? ink : grey
+cross = sprintf("points pt 2 ps %g lw 2", 0.55)
+square = sprintf("points pt 4 ps %g lw 2", 0.8)
+squares_are_yours = own("solid: expected")."\n".own("dashed, squares: yours")
+# Where v itself would be too short or too long to see, the arrow is another one.
+arrow_words(stride) = stride == 1 ? "" : sprintf(" ".own("The arrow is %s v."), stride_text)
+
+# ---- pictures, which are PNGs in base64 -------------------------------------------------------------
+
+# gnuplot reads a picture from a file. '@decode' makes that of 'picture' ("$NAME"), number 'cast', and
+# '@forget', after the plot, removes all of them. cast_file(number) is its name, cast_title(number, words) the
+# title of its plot.
+#
+# A gnuplot that reads no PNG is given 'framed = 1': the layout then draws each picture's frame ($square) in its
+# place, and chapters/book/figure.js puts the picture into it.
+if (!exists("framed")) framed = 0
+cast_file(number) = sprintf("%s.cast%d", output, number)
+cast_title(number, words) = framed ? "picture ".cast_name[number].": ".words : words
+casts = ""
+array cast_name[2]
+decode = 'cast_name[cast] = picture; if (!framed) { casts = casts." \"".cast_file(cast)."\""; \
+    set print sprintf("| base64 -d > \"%s\"", cast_file(cast)); \
+    do for [line=2:|@picture|] { print @picture[line] }; set print }'
+forget = 'if (!framed) { system("rm -f".casts) }'
+
 # ---- labels: on the canvas, whatever the numbers ----------------------------------------------------
 
 # (percent is for labels of plots, where gnuplot reads a backslash twice.)

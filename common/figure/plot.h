@@ -80,7 +80,7 @@ void plot_row_dot_of(Plot *plot, vec3 place, int count, const double *numbers);
 // ---- pictures (plot_picture.c) ----------------------------------------------------------------
 
 // $NAME: a picture, as a PNG in base64, which the layout decodes for gnuplot
-// (common/figure/pictures.gp). If right answers make another picture, $NAME is that one, and
+// (common/figure/plot.gp). If right answers make another picture, $NAME is that one, and
 // $your_NAME yours. Right answers may round in different ways, so pictures are compared by the mean
 // colors of their parts, bytes from 0 to 255, which may differ by so much: by COLOR_ROUNDING,
 // mostly.

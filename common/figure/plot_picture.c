@@ -88,7 +88,7 @@ static bool are_near(const MeanColors *means, const char *rows, double allowed)
 // ---- all of it --------------------------------------------------------------------------------
 
 // Where the picture goes. In a page that is beside the script, because gnuplot draws only a frame
-// (common/figure/pictures.gp): the script has its name.
+// (common/figure/plot.gp): the script has its name.
 static FILE *picture_begin(const Plot *plot, const char *yours, const char *name)
 {
     FILE *out = plot->pictures != NULL ? plot->pictures : plot->script;

@@ -114,7 +114,6 @@ static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead
 static void data(Plot *plot, const Panels *panels)
 {
     double radius = panels->radius;
-    plot_include(plot, "common/figure/section.gp");
     plot_number(plot, "r", radius);
     plot_number(plot, "v", speed_for(radius));
     plot_block(plot, "rays", "panel x y of p, x y of v, middle of the panel");

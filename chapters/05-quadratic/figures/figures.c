@@ -348,7 +348,6 @@ static void ray_sphere_labels(Plot *plot, const Section *s)
 
 static void ray_sphere(Plot *plot, void *given)
 {
-    plot_include(plot, "common/figure/section.gp");
     const Meeting *m = given;
     Roots roots = sphere_roots(m->ray, m->sphere);
     double hit = hit_sphere(m->ray, m->sphere);
@@ -513,7 +512,6 @@ static void parabola_labels(Plot *plot, const Graph *g)
 
 static void parabola_data(Plot *plot, void *given)
 {
-    plot_include(plot, "common/figure/section.gp");
     const Meeting *m = given;
     Quadratic q = quadratic_of(m);
     Roots roots = quadratic_roots(q);
@@ -619,7 +617,6 @@ static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
 
 static void geometric_roots(Plot *plot, void *given)
 {
-    plot_include(plot, "common/figure/section.gp");
     const Meeting *m = given;
     Roots roots = sphere_roots(m->ray, m->sphere);
     Section section = section_level(m->ray, m->sphere);
@@ -838,7 +835,6 @@ static void world_object_words(Plot *plot)
 
 static void world_object(Plot *plot, void *given)
 {
-    plot_include(plot, "common/figure/section.gp");
     Meeting m = moved(given);
     Section section = section_upright(m.ray, m.sphere);
     Quadratic world = world_quadratic(m.ray, m.sphere), object = quadratic_of(&m);

@@ -215,7 +215,6 @@ static void flat_and_shaded(Plot *plot, void *given)
     Style style = closing_style;
     style.samples = dragged ? 1 : 2;
     render(&drawing.scene, drawing.camera, style, &image);
-    plot_include(plot, "common/figure/pictures.gp");
     plot_picture(plot, "shaded", &image, COLOR_ROUNDING);
     keep_term(&drawing.scene, TERM_FLAT);
     render(&drawing.scene, drawing.camera, style, &image);

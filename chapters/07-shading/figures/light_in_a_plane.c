@@ -388,7 +388,6 @@ void self_hit(Plot *plot, void *given)
     plot_keep_clear(plot, (Room){0, 1, 0, 0.33}, (Room){0, 1, 0, 0.33});
     true_numbers(plot, sphere, light, point);
     drawn_rays(plot, sphere, light, ray, point);
-    plot_include(plot, "common/figure/pictures.gp");
     // Right answers round in different ways, and each has specks of its own.
     picture_data(plot, "specks", at_the_point, light.position, 1, 255);
     picture_data(plot, "smooth", offset_from_surface, light.position, plot_is_dragged(plot) ? 1 : 3,
