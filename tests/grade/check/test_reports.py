@@ -175,8 +175,10 @@ class ReportTables(Sentences):
         # 1 to 8: by hand, the quartiles that include both ends are 2.75, 4.5, 6.25.
         eight = [record(f"g{n}", [stem("01-corners", [function("upper_left", most=8.0)])], score=float(n))
                  for n in range(1, 9)]
-        self.check("median and quartiles are right",
+        self.check("the median and the quartiles are right",
                    "median 4.5 of 8, the middle half from 2.75 to 6.25" in closing(eight))
+        nobody = record("h", [], "nothing handed in", folder="", max=8.0, person={"id": "9"})
+        self.check("who handed in nothing does not count in them", "median 4.5 of 8, " in closing([*eight, nobody]))
         self.check("each score is in its tenth",
                    "  90-100  # 1\n   80-89  # 1\n   70-79  # 1\n   60-69  # 1\n" in closing(eight))
         known = {"id": "Q1", "formula": "b = p.v", "why": "Multiply out.", "picture": "holes"}
