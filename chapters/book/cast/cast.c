@@ -159,7 +159,7 @@ static bool by_order(const Tile *tile, const char *order)
 
 // ---- a race: how often each pixel is asked, and when it is painted ------------------------------
 
-// Only a program for races is linked so that these two are called (link_cast.js).
+// Only a program for races is linked so that these two are called (tools.js).
 Ray __real_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
 Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
 Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel)
