@@ -20,8 +20,8 @@ const CHECKS = ["-fsanitize=array-bounds,local-bounds,null", "-fsanitize-trap=ar
 const LIBRARIES = ["common.a", ...["signal", "mman", "process-clocks", "getpid"].map((name) => `libwasi-emulated-${name}.a`), "libm.a", "libc.a", "builtins.a"];
 
 /** An answer's compilation; isChecked: the judge counts its steps and checks its pointers, which a picture does not need. */
-export const compileWords = (stem, isChecked = true) => ["llvm", "clang", "-cc1", ...LANGUAGE, ...isChecked ? CHECKS : [],
-    "-main-file-name", `${stem}.c`, "-o", "answer.o", "-x", "c", `exercises/${stem}.c`];
+export const compileWords = (source, isChecked = true) => ["llvm", "clang", "-cc1", ...LANGUAGE, ...isChecked ? CHECKS : [],
+    "-main-file-name", source.split("/").pop(), "-o", "answer.o", "-x", "c", source];
 /** A link; stays: the program is called again and again, instead of once. */
 export const linkWords = (words, stays) => ["llvm", "wasm-ld", "-o", "linked.wasm", ...stays ? ["--entry", "_initialize", "lib/crt1-reactor.o"] : ["lib/crt1-command.o"],
     "--gc-sections", "--stack-first", "-z", "stack-size=1048576", "--max-memory=536870912", ...words,
@@ -200,7 +200,7 @@ export class Compiler {
    *          messages: string}>} messages: what the compiler said, or the linker if that failed
    */
     async compile({ stem, files }) {
-        const compiled = await this.run(compileWords(stem), new Map([...this.pack, ...Object.entries(files)]));
+        const compiled = await this.run(compileWords(`exercises/${stem}.c`), new Map([...this.pack, ...Object.entries(files)]));
         if (compiled.status !== 0)
             return { module: null, ...failed(compiled, "compile") };
         const object = compiled.files.get("answer.o"), linked = await this.link(stem, object);

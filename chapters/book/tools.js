@@ -38,7 +38,7 @@ export function toolsOf(compiler, objects) {
         compile(words, files) {
             const source = words.at(-1), text = files.text(source), key = `${source}\n${text}`;
             if (!compiled.has(key)) {
-                const { files: left, ...result } = run(compileWords(source.split("/").pop().replace(/\.c$/, "")), [[source, text]]);
+                const { files: left, ...result } = run(compileWords(source), [[source, text]]);
                 compiled.set(key, { result, object: left.get("answer.o") });
             }
             const { result, object } = compiled.get(key);
@@ -88,7 +88,8 @@ export function castLinker(compiler, objects) {
     /** The object of an answer; null if it does not compile. Helpers of two chapters may have one name, so they are hidden. */
     async function objectOf(stem, text) {
         if (compiled.get(stem)?.text !== text) {
-            const result = await compiler.run(compileWords(stem, false), new Map([...compiler.pack, [`exercises/${stem}.c`, text]]));
+            const source = `exercises/${stem}.c`;
+            const result = await compiler.run(compileWords(source, false), new Map([...compiler.pack, [source, text]]));
             compiled.set(stem, { text, object: result.status === 0 ? hideHelpers(result.files.get("answer.o"), exercises) : null });
         }
         return compiled.get(stem).object;
