@@ -34,9 +34,9 @@ def lab(rgb):
 
 
 def variables(name):
-    """Those of common/figure/plot.gp and section.gp, read by gnuplot itself."""
+    """Those of common/figure/plot.gp, read by gnuplot itself."""
     done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; "
-                           "load 'common/figure/section.gp'; show variables all"], capture_output=True, text=True, check=True, timeout=60)
+                           "show variables all"], capture_output=True, text=True, check=True, timeout=60)
     return dict(re.findall(r'^\s*(\w+) = "(.*)"$', done.stderr, re.M))
 
 
