@@ -1,5 +1,5 @@
 // beside.c - a wrong answer beside the right one: two vectors, and the words on them.
-#include "common/figure/beside.h"
+#include "common/figure/plot.h"
 
 #include <stdio.h>
 #include <stdlib.h>

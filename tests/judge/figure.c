@@ -1,7 +1,7 @@
 // figure.c - a wrong answer beside the right one: the kind of figure, and its file.
 #include "tests/judge/figure.h"
 
-#include "common/figure/beside.h"
+#include "common/figure/plot.h"
 #include "common/image.h"
 #include "common/ray.h"
 #include "common/scene.h"

@@ -2,7 +2,6 @@
 #include "chapters/01-corners/figures/figures.h"
 
 #include "chapters/shared/camera_drawing.h"
-#include "common/figure/beside.h"
 #include "exercises/01-corners.h"
 
 #include <string.h>
