@@ -214,6 +214,6 @@ bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minu
 	@$(MAKE) --no-print-directory -s -j1 bench-flat $(if $(PEERS),bench-shaded)
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),python3 -B tests/benches/grade.py $(KIT),echo 'grading is not measured: make setup FOR=instructor')
-bench-grade: $(KIT)/commands # submissions a minute
+bench-grade: $(KIT)/commands # a class a minute; equal work for several tasks
 	@python3 -B tests/benches/grade.py $(KIT)
 .PHONY: bench bench-grade bench-flat bench-shaded bench-record bench-figure

@@ -1,5 +1,5 @@
 """grade.py - how many submissions a minute make grade marks, and what each step takes of them: of all chapters, and of
-the two of a week; then both once more, when nothing has changed.
+the two of a week; then both once more, when nothing has changed; and how equal the work of 1, 2 and 4 tasks is (SHARD).
 
 Usage: grade.py KIT [COUNT], where make builds the kit. A class has COUNT (200) submissions, no two the
 same: two thirds of the files are right, the others have a sign or a number changed, or are blank, as half a class's are.
@@ -50,6 +50,21 @@ def marked(kit, students, out, *settings):
     return time.monotonic() - began
 
 
+def shared(kit, students, out, policy, tasks):
+    """The seconds of each task, which marks one submission at a time, beside the others."""
+    began = time.monotonic()
+    running = [subprocess.Popen([sys.executable, "-B", "tests/grade", kit, students, "--out", out, "--policy", policy, "--seed", "1",
+                                 "--jobs", "1", "--shard", f"{part}/{tasks}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+               for part in range(1, tasks + 1)]
+    seconds = {}
+    while len(seconds) < tasks:
+        seconds.update((task, time.monotonic() - began) for task in running if task not in seconds and task.poll() is not None)
+        time.sleep(0.01)
+    if any(task.returncode for task in running):
+        sys.exit("a task has failed")
+    return seconds.values()
+
+
 def report(records, seconds, again):
     files = sum(stem["file"] != "" for record in records for stem in record["stems"])
     print(f"{len(records)} submissions, {files} files, {seconds:.1f} s on {len(os.sched_getaffinity(0))} processors, "
@@ -63,8 +78,9 @@ def report(records, seconds, again):
 
 def main(kit, count="200"):
     stems = sorted(path.stem for path in Path("solutions").glob("*.c"))
-    for some in (stems, stems[2:4]):
-        words = "points others 0\n" + "".join(f"points {stem} 10\n" for stem in some)
+    week = stems[2:4]
+    for some, words in ((stems, "points others 10\n"),
+                        (week, "points others 0\n" + "".join(f"points {stem} 10\n" for stem in week))):
         with tempfile.TemporaryDirectory() as folder:
             students, out, policy = Path(folder, "class"), Path(folder, "out"), Path(folder, "policy")
             policy.write_text(words)
@@ -72,6 +88,10 @@ def main(kit, count="200"):
             seconds = marked(kit, students, out, "--policy", policy)
             again = marked(kit, students, out, "--policy", policy)
             report([json.loads(path.read_text())["extra_data"]["record"] for path in out.glob("*/results.json")], seconds, again)
+            if some is week:
+                for tasks in (1, 2, 4):
+                    each = shared(kit, students, out.with_name(f"shared-{tasks}"), policy, tasks)
+                    print(f"  {tasks} task{'s' * (tasks > 1)} of one job: {min(each):.1f} to {max(each):.1f} s")
 
 
 main(*sys.argv[1:])

@@ -1,7 +1,8 @@
 """grade - marks a folder of submissions: make grade SUBMISSIONS=dir.
 
 Settings (settings.py), then each submission in a process of its own (mark/), then the reports of the class
-from what those wrote (report/). A grader that was stopped goes on where it was.
+from what those wrote (report/). A grader that was stopped goes on where it was, and several (SHARD)
+can share the work.
 """
 import os
 import shutil
@@ -12,7 +13,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # there the package is found, from any working directory
 
 from grade.collect import submissions  # noqa: E402 - found from there on
-from grade.mark.crew import alone, mark_all  # noqa: E402
+from grade.mark.crew import alone, mark_all, of_shard  # noqa: E402
 from grade.mark.grader import Grader  # noqa: E402
 from grade.mark.lecture_figures import lecture_figures  # noqa: E402
 from grade.people.matching import class_of  # noqa: E402
@@ -96,10 +97,11 @@ def grade() -> int:
     mention(class_list.found, class_list.others, grader.stems, given.submissions)
     mention_times(grader.policy, class_list.found)
     found = with_the_others(class_list.found, members(grader.out), given)
-    todo = mark_again(grader, found, class_list, given)
+    now = mark_again(grader, found, class_list, given)
+    todo = of_shard(now, given.shard)
     began = time.monotonic()
     try:
-        lock = alone(grader.out, grader.work)
+        lock = alone(grader.work)
         grader.begin()
     except OSError as error:
         stop(f"OUT={given.out} cannot be written: {why(error)}")
@@ -109,7 +111,7 @@ def grade() -> int:
         grader.make_tables()
         grader.prove()
         failed = mark_all(grader, todo, given.jobs)
-        return report(grader, found, todo, failed, given, began)
+        return report(grader, found, now, todo, failed, given, began)
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
@@ -123,18 +125,18 @@ def refuse_another_week(records: list, before: dict, grader: Grader, given) -> N
              f"OUT={given.out} are left as they were; the right folder marks all again")
 
 
-def report(grader: Grader, found: list, todo: list, failed: dict, given, began: float) -> int:
-    """The exit status."""
-    marked = {submission.folder for submission in todo}
+def report(grader: Grader, found: list, now: list, todo: list, failed: dict, given, began: float) -> int:
+    """The exit status. now: those that are marked by this run or another shard's; todo: by this one."""
+    marked = {submission.folder for submission in now}
     records = [failed.get(submission.folder)
                or (grader.record if submission.folder in marked else grader.without_marking)(submission)
                for submission in found]
     missing = records.count(None)
     if missing:
-        print(f"{missing} of {len(found)} submissions have no result yet: 'make grade' once more, without ONLY, "
-              "writes the reports.")
+        print(f"{missing} of {len(found)} submissions have no result yet: when all are marked, 'make grade' once more, "
+              f"without {'SHARD' if given.shard else 'ONLY'}, writes the reports.")
         print(text.failures(records), end="")
-        return 1
+        return 0 if given.shard and not failed else 1
     refuse_another_week(records, members(grader.out), grader, given)
     print(text.closing(records))
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import secrets
 import sys
 from pathlib import Path
@@ -22,6 +23,14 @@ def number(name: str, text: str, least: int, most: int) -> int:
     if not (text.isascii() and text.isdigit()) or not least <= int(text) <= most:
         stop(f"{name}={text}: expected a whole number from {least} to {most}")
     return int(text)
+
+
+def shard(text: str) -> tuple[int, int]:
+    """Which part of the class, of how many."""
+    part, _, parts = text.partition("/")
+    if not re.fullmatch(r"[0-9]{1,5}/[0-9]{1,5}", text, re.ASCII) or not 1 <= int(part) <= int(parts) <= 10000:
+        stop(f"SHARD={text}: expected i/n, such as 1/4, with i from 1 to n, and n at most 10000")
+    return int(part), int(parts)
 
 
 # ---- settings that OUT remembers -----------------------------------------------------------------
@@ -67,12 +76,14 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--policy", type=Path, default=there("POLICY") or None)
     parser.add_argument("--seed", default=there("SEED", ""))
     parser.add_argument("--jobs", default=there("JOBS", ""))
+    parser.add_argument("--shard", default=there("SHARD", ""))
     parser.add_argument("--sandbox", default=there("SANDBOX", ""))
     parser.add_argument("--unsafe", action="store_true", default=there("UNSAFE", "") not in ("", "0"))
     given = parser.parse_args()
     # Two for each processor: while a sandbox is made, or a pipe is empty, one waits.
     processors = len(os.sched_getaffinity(0))
     given.jobs = number("JOBS", given.jobs, 1, 1024) if given.jobs else 2 * processors
+    given.shard = shard(given.shard) if given.shard else None
     given.seed = number("SEED", given.seed, 0, LARGEST_SEED) if given.seed else None
     given.ledger = given.ledger or given.out / "ledger.csv"
     given.policy = as_last_time(given.out, "policy", given.policy) or policy.DEFAULT
@@ -88,13 +99,22 @@ def arguments() -> argparse.Namespace:
 
 
 def seed_of_class(out: Path, wanted: int | None) -> int:
-    """Drawn by the first run; all later ones take it."""
+    """The first grader draws it, and all others, later or elsewhere, take it."""
     path = out / ".seed"
-    before = path.read_text().strip() if path.exists() else ""
-    if wanted is None and before:
-        return number(str(path), before, 0, LARGEST_SEED)
-    seed = str(secrets.randbelow(LARGEST_SEED + 1) if wanted is None else wanted)
-    if before not in ("", seed):
+    if wanted is None and path.exists():
+        return number(str(path), path.read_text().strip(), 0, LARGEST_SEED)
+    seed = secrets.randbelow(LARGEST_SEED + 1) if wanted is None else wanted
+    if path.exists() and (before := path.read_text().strip()) != str(seed):
         print(f"The seed of {out} was {before} and is {seed} now: all is marked again.", file=sys.stderr)
-    put(str(out), path.name, f"{seed}\n")
-    return int(seed)
+    new = path.with_suffix(f".{secrets.token_hex(6)}")
+    new.write_text(f"{seed}\n")
+    try:
+        if wanted is None:
+            os.link(new, path)      # fails where another was first
+        else:
+            os.replace(new, path)
+    except FileExistsError:
+        return seed_of_class(out, None)
+    finally:
+        new.unlink(missing_ok=True)
+    return seed

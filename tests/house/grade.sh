@@ -1,7 +1,7 @@
 #!/bin/sh
 # grade.sh - tests of the grader. grade.sh PART: 'class' (or nothing) marks a small class, and the ten submissions of the
 # instructor's page; 'modules': what is a submission, what it is worth, what is written of a graded class, and what 'make
-# submission' packs; 'long': a grader that is killed and started again gives the same marks, and a failure of the
+# submission' packs; 'long': a grader that is killed, shared, and started again gives the same marks, and a failure of the
 # machine is never a mark; archives that grow when they are opened; the archive for Gradescope, built, installed, given
 # submissions; 'attacks': a few that change nothing where they succeed, on the tree as it is; 'attacks all': all of them,
 # on a tree full of secrets and in every sandbox that there is.

@@ -194,7 +194,7 @@ class Faults(Sentences):
             put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
             grader = started(folder, out, kit, SANDBOX=sandbox)
             until = time.monotonic() + 60
-            at_work = out / ".work" / "anna"
+            at_work = out / ".work" / "1-of-1" / "anna"
             while not at_work.exists() and grader.poll() is None and time.monotonic() < until:
                 time.sleep(0.002)
             time.sleep(delay)
@@ -233,7 +233,7 @@ class Faults(Sentences):
         ended = set()
         while grader.poll() is None and time.monotonic() < until:
             for name, (kind, number) in wanted.items():
-                if name not in ended and signalled(out / ".work" / name, kind, number):
+                if name not in ended and signalled(out / ".work" / "1-of-1" / name, kind, number):
                     ended.add(name)
             time.sleep(0.01)
         grader.kill()

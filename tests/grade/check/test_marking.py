@@ -102,10 +102,29 @@ class Crew(WithFolder):
             self.assertRaises(ProcessLookupError, os.kill, child, 0)
 
     def test_two_graders_that_would_mark_the_same_are_refused(self):
-        both = self.work / "out", self.work / "out/.work"
-        with crew.alone(*both), self.assertRaisesRegex(SystemExit, "another grader is at work here"):
-            crew.alone(*both)
-        crew.alone(*both).close()
+        work = self.work / "out/.work"
+        for first, second, is_refused in (("1-of-1", "1-of-1", True), ("1-of-1", "1-of-2", True),
+                                          ("1-of-2", "1-of-1", True), ("1-of-2", "1-of-2", True),
+                                          ("1-of-2", "2-of-2", False), ("2-of-3", "1-of-2", True),
+                                          ("1-of-2", "1-of-12", True)):
+            with crew.alone(work / first):
+                try:
+                    crew.alone(work / second).close()
+                    refused = ""
+                except SystemExit as error:
+                    refused = str(error)
+            self.assertEqual("another grader is at work here" in refused, is_refused, (first, second, refused))
+            crew.alone(work / second).close()
+
+    def test_shards_have_everybody_once(self):
+        everybody = [SimpleNamespace(folder=f"group {i}") for i in range(100)]
+        parts = [crew.of_shard(everybody, (part, 3)) for part in (1, 2, 3)]
+        self.assertEqual(sorted(one.folder for part in parts for one in part),
+                         sorted(one.folder for one in everybody))
+        self.assertEqual([len(part) for part in parts], [34, 33, 33])
+        self.assertEqual(crew.of_shard(everybody[::-1], (1, 3)), parts[0])
+        self.assertTrue(all(len({one.folder for one in part} & {f"group {i}" for i in range(33)}) > 5 for part in parts))
+        self.assertEqual(crew.of_shard(everybody, None), everybody)
 
 
 REPORT = """function\tupper_left

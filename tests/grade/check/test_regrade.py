@@ -1,4 +1,4 @@
-"""test_regrade.py - a grader that is killed and started again gives the same marks."""
+"""test_regrade.py - a grader that is killed, shared, and started again gives the same marks."""
 from __future__ import annotations
 
 import json
@@ -72,7 +72,7 @@ class Regrade(Sentences):
         self.check("and nothing twice", all(path.stat().st_mtime_ns == at for path, at in before.items())
                    and kept(done) == len(before), done.stderr)
         self.check("no half of a file is left",
-                   not list(out.glob("*/.*.new")) and not (out / ".work").exists())
+                   not list(out.glob("*/.*.new")) and not list((out / ".work").glob("*-of-*/*")))
         again = grade(folder, out)
         self.check("a third time there is nothing to do", kept(again) == len(found), again.stderr)
 
@@ -116,6 +116,21 @@ class Regrade(Sentences):
         self.check("what another version of the rules for marks has kept is marked again",
                    (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
 
+    def shards_share_the_work(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
+        if shutil.which("parallel") is None:
+            self.skip("sharing the work: no GNU parallel (make setup FOR=contributor)")
+            return
+        out = work / "shards"
+        done = subprocess.run(["parallel", "--will-cite", "-j3", "env", "SHARD={}", *command(folder, out),
+                               ":::", "1/3", "2/3", "3/3"],
+                              env={**os.environ, "SEED": SEED, "JOBS": "1"}, capture_output=True, text=True)
+        self.check("three shards under GNU parallel end well", done.returncode == 0, done.stderr[-500:])
+        self.check("together they have done all, with the same marks", records(out) == found)
+        merged = grade(folder, out)
+        self.check("once more merges: nothing is marked again",
+                   kept(merged) == len(found) and merged.returncode == 0, merged.stderr[-500:])
+        self.check("and the class's reports are there", (out / "grades.csv").exists())
+
     def test_again(self) -> None:
         work, folder = self.work, self.work / "class"
         build_class(folder)
@@ -128,3 +143,4 @@ class Regrade(Sentences):
                 self.nothing_is_left_of_a_kill(folder, work, sandbox)
         self.killed_and_started_again(folder, work, found)
         self.what_has_changed_is_marked_again(folder, work, found)
+        self.shards_share_the_work(folder, work, found)

@@ -1,12 +1,14 @@
 """crew.py - a process for each submission, a limited number at a time, and a progress line.
 
 Each has a session of its own, so that all of it can be ended. One that does not come to its end, or says
-that a step of it did not, leaves a submission without a score.
+that a step of it did not, leaves a submission without a score. Of several crews (shards) each does a
+part, and no two do the same one.
 """
 from __future__ import annotations
 
 import ctypes
 import fcntl
+import hashlib
 import os
 import shutil
 import signal
@@ -160,13 +162,34 @@ def how_it_ended(code: int, began: float) -> str:
     return f"the process that marks it ended with {ending(code)}"
 
 
-def alone(out: Path, work: Path):
-    """Two graders of one class would do everything twice. Holds until what it gives is closed."""
-    out.mkdir(parents=True, exist_ok=True)
-    lock = open(out / ".lock", "w")
+# ---- several crews --------------------------------------------------------------------------------
+
+def of_shard(found: list, shard: tuple[int, int] | None) -> list:
+    """Parts of the same size. Dealt out in an order that has nothing to do with the work that a submission makes."""
+    if shard is None:
+        return found
+    part, parts = shard
+    dealt = sorted(found, key=lambda submission: hashlib.sha256(os.fsencode(submission.folder)).digest())
+    return dealt[part - 1::parts]
+
+
+def locked(path: Path):
+    lock = open(path, "w")
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        stop(f"another grader is at work here: {out}")
+        stop(f"another grader is at work here: {path.parent.parent} (part {path.stem})")
+    return lock
+
+
+def alone(work: Path):
+    """Two graders of one part of the class would do everything twice, and so would two that split it in different ways.
+    Holds until what it gives is closed."""
+    work.mkdir(parents=True, exist_ok=True)
+    lock = locked(work.parent / f"{work.name}.lock")
+    _, _, parts = work.name.rpartition("-")
+    for other in work.parent.glob("*.lock"):
+        if not other.stem.endswith(f"-of-{parts}"):
+            locked(other).close()
     shutil.rmtree(work, ignore_errors=True)
     return lock

@@ -84,7 +84,8 @@ class Grader:
         self.seed, self.wanted_seed = 0, given.seed
         self.right: dict[str, bytes] = {}
         self.called: dict[str, set[str]] = {}
-        self.work = self.out / ".work"
+        part, parts = given.shard or (1, 1)
+        self.work = self.out / ".work" / f"{part}-of-{parts}"
         self.tables = self.work / ".tables"
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
         self.tests = sum_of_files([exercises.LIST, *GRADER, Path(self.kit.judge_program), Path(self.kit.record_program),
