@@ -70,6 +70,15 @@ MATRIX := $(B)/tests/matrix
 $(MATRIX): $(KNOWN_ANSWERS) $(JUDGING) $(REFERENCES) $(B)/tests/proof/matrix.o $(B)/common.a | $(TABLES)
 	$(link_program)
 
+# The missing parts of a new chapter, as long as it cannot be linked.
+lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/wrong.c \
+	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
+	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
+LACKS := $(if $(filter missing,$(MAKECMDGOALS)),$(strip $(foreach s,$(CHOSEN),$(call lacks,$(s)))))
+missing: $(if $(LACKS),,$(MATRIX)) ##+ what a new exercise or chapter still lacks (EX=02)
+	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for stem in $(CHOSEN); do $(MATRIX) $$stem --missing || exit 1; done)
+.PHONY: missing
+
 # Wrong answers that nobody has thought of: slips of the pen in every answer that is known, which
 # the compiler sifts, and a program that tries them. GENERATED_SEED=... makes others.
 GENERATED_SEED ?= 2015

@@ -1,17 +1,18 @@
 // matrix.c - are the tests strict, and do they know what they see?
 //
 //   matrix STEM
+//   matrix STEM --missing     what an exercise of the stem still lacks
 //   matrix STEM --verdicts    the verdict on every known answer, a line each (by_hand/record.py)
 //   matrix STEM --formulas    the formulas of the mistakes, a line each: an archive must not have
 //                             them
 //   matrix STEM --by-heart F  answers that know the tables in the folder F, and nothing else
 //
-// Every exercise has a test and a mistake. Each mistake must fail a test of its function and be
-// named from its values; each test must be failed by a mistake, or it cannot fail and is worth
-// nothing; no right answer, however it is written, may fail or be accused. The verdict on a wrong
-// answer that is not a known mistake must not be false (verdicts.c). An answer in float is told
-// so. An answer that knows the public inputs by heart must fail with every SEED, and must not
-// learn the hidden ones.
+// Each mistake must fail a test of its function and be named from its values; each test must be
+// failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs;
+// no right answer, however it is written, may fail or be accused. The verdict on a wrong answer
+// that is not a known mistake must not be false (verdicts.c). An answer in float is told so. An
+// answer that knows the public inputs by heart must fail with every SEED, and must not learn the
+// hidden ones.
 //
 // JUDGE_TABLES is the folder of the tables that are asked (table.h).
 #include "tests/judge/known.h"
@@ -179,14 +180,54 @@ static void check_mistake(const Mistake *mistake)
                 failed_by_some[j] = true;
 }
 
-// Without these, nothing else is said of an exercise.
-static void check_exercise(const char *name)
+static bool is_declared(const Exercise *exercise)
 {
-    bool has_test = false;
-    for (int i = 0; i < all.count; i++)
-        has_test = has_test || (!all.tests[i].extra && strcmp(all.tests[i].function, name) == 0);
-    settle(has_test, "no test is graded:", name, "TEST in the tests of its chapter");
-    settle(count_of(name) > 0, "no mistake is known:", name, "WRONG in wrong.c of its chapter");
+    char path[1000], line[1000], call[200];
+    snprintf(path, sizeof path, "exercises/%s.h", exercise->stem);
+    snprintf(call, sizeof call, "%s(", exercise->name);
+    FILE *file = fopen(path, "r");
+    bool found = false;
+    while (file != NULL && !found && fgets(line, sizeof line, file) != NULL)
+        found = strncmp(line, "//", 2) != 0 && strstr(line, call) != NULL;
+    if (file != NULL)
+        fclose(file);
+    return found;
+}
+
+// In words, the first thing that is missing, in the order of CONTRIBUTING's steps.
+static bool missing_next(const Exercise *exercise, bool has_test, bool has_mistake, char *words,
+                         size_t size)
+{
+    const char *stem = exercise->stem, *name = exercise->name;
+    if (!is_declared(exercise))
+        snprintf(words, size, "%s is not declared: the contract is exercises/%s.h", name, stem);
+    else if (exercise->reference == NULL)
+        snprintf(words, size, "%s has no solution: it belongs in solutions/%s.c", name, stem);
+    else if (!has_test)
+        snprintf(words, size, "%s has no graded test: TEST(%s, ...) in tests/%s.c", name, name,
+                 stem);
+    else if (!has_mistake)
+        snprintf(words, size, "%s has no known mistake: they belong in tests/%s/wrong.c", name,
+                 stem);
+    else
+        return false;
+    return true;
+}
+
+// Does an exercise of the stem lack something, because it was just added?
+static bool something_is_missing(const char *stem, char *words, size_t size)
+{
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        const char *name = exercises[i].name;
+        bool has_test = false;
+        for (int j = 0; j < all.count; j++)
+            has_test =
+                has_test || (!all.tests[j].extra && strcmp(all.tests[j].function, name) == 0);
+        if (strcmp(exercises[i].stem, stem) == 0 &&
+            missing_next(&exercises[i], has_test, count_of(name) > 0, words, size))
+            return true;
+    }
+    return false;
 }
 
 static void check_variant(const KnownAnswer *variant)
@@ -486,9 +527,20 @@ int main(int argc, char **argv)
         return 0;
     }
     check_reference();
-    for (int i = 0; exercises[i].name != NULL; i++)
-        if (strcmp(exercises[i].stem, stem) == 0)
-            check_exercise(exercises[i].name);
+    char words[500];
+    bool lacks = something_is_missing(stem, words, sizeof words);
+    if (strcmp(option, "--missing") == 0) {
+        if (lacks)
+            printf("Next: %s\n", words);
+        else
+            printf("%s: no exercise lacks anything\n", stem);
+        return lacks;
+    }
+    settle(!lacks, "next:", stem, words);
+    if (lacks) {
+        printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
+        return 1;
+    }
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
         check_mistake(it);
         check_styles(it);
