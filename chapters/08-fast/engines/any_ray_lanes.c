@@ -1,5 +1,5 @@
 // any_ray_lanes.c - many rays from anywhere, through the wide hierarchy, near boxes first: each ray
-// asks 16 boxes at once, and then 16 spheres at once.
+// asks all boxes of a node at once, and then all spheres of a leaf.
 //
 // Boxes and spheres are floats, with margins for rounding. A sphere that floats cannot leave out is
 // asked in double, also with margins.
@@ -36,18 +36,18 @@ static inline void set_slopes(Slopes *slopes, const WideHierarchy *wide, Vector 
     const Four direction = {(float)v.x, (float)v.y, (float)v.z};
     const Four inverse = {inverse_of(direction[0]), inverse_of(direction[1]),
                           inverse_of(direction[2])};
-    const FourInts backwards = inverse < 0, axes = {0, 2 * LANES, 4 * LANES};
+    const FourInts backwards = inverse < 0, axes = {0, 2 * BOXES, 4 * BOXES};
     slopes->start = start;
     slopes->rest =
         (Four){(float)(from.x - start[0]), (float)(from.y - start[1]), (float)(from.z - start[2])};
     slopes->direction = direction;
     slopes->inverse = inverse;
-    slopes->first = axes - LANES * backwards;
-    slopes->last = axes + LANES * (1 + backwards);
+    slopes->first = axes - BOXES * backwards;
+    slopes->last = axes + BOXES * (1 + backwards);
 }
 
 // Where the ray enters the boxes of a node; infinite if it does not enter before farthest. The
-// slabs of bvh.c, for 16 boxes. Rounding changes a distance t by less than 2^-20 of t and of the
+// slabs of bvh.c, for all boxes. Rounding changes a distance t by less than 2^-20 of t and of the
 // node's size. By the latter, the boxes are larger (hierarchy.c).
 static inline void enter(const Slopes *slopes, const WideNode *node, float farthest, float *near)
 {
@@ -58,7 +58,7 @@ static inline void enter(const Slopes *slopes, const WideNode *node, float farth
     const Four from = (slopes->start - node->corner + slopes->rest) * slopes->inverse;
     float from_x = from[0], from_y = from[1], from_z = from[2];
 #pragma omp simd
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < BOXES; i++) {
         float begin = x[i] * ix - from_x, end = xx[i] * ix - from_x;
         float begin_y = y[i] * iy - from_y, end_y = yy[i] * iy - from_y;
         float begin_z = z[i] * iz - from_z, end_z = zz[i] * iz - from_z;
@@ -82,9 +82,9 @@ static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, floa
     const Four from = slopes->start - leaf->center + slopes->rest;
     float px = from[0], py = from[1], pz = from[2];
     float dx = slopes->direction[0], dy = slopes->direction[1], dz = slopes->direction[2];
-    alignas(64) int may[LANES];
+    alignas(64) int may[BOXES];
 #pragma omp simd
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < BOXES; i++) {
         float cx = leaf->x[i] - px, cy = leaf->y[i] - py, cz = leaf->z[i] - pz;
         float along = cx * dx + cy * dy + cz * dz;
         float ax = cy * dz - cz * dy, ay = cz * dx - cx * dz, az = cx * dy - cy * dx;
@@ -100,12 +100,12 @@ static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, floa
     return _mm512_movepi32_mask(_mm512_load_si512(may));
 #elif defined __wasm_simd128__
     unsigned bits = 0;
-    for (int i = 0; i < LANES; i += 4)
+    for (int i = 0; i < BOXES; i += 4)
         bits |= wasm_i32x4_bitmask(wasm_v128_load(may + i)) << i;
     return bits;
 #else
     unsigned bits = 0;
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < BOXES; i++)
         bits |= (unsigned)(may[i] & 1) << i;
     return bits;
 #endif
@@ -161,7 +161,7 @@ typedef struct {
     const Vectors *origin;
     Vectors direction;
     alignas(64) double reach[PATHS];
-    int missed[PATHS]; // the sphere that a ray leaves, if it certainly misses that, or -LANES
+    int missed[PATHS]; // the sphere that a ray leaves, if it certainly misses that, or -BOXES
 } Starts;
 
 // Of ray i and the sphere at this place in the order of the hierarchy.
@@ -193,7 +193,7 @@ static void ask_own(const Rays *rays, Starts *starts, int *answers)
     for (int i = 0; i < rays->count; i++) {
         const int left = rays->left[i];
         const int own = hides((Meeting){begin[i], end[i]}, left, starts->reach[i]);
-        starts->missed[i] = left >= 0 && own == NO_PLACE ? left : -LANES;
+        starts->missed[i] = left >= 0 && own == NO_PLACE ? left : -BOXES;
         answers[i] = rays->any && left >= 0 && own != NO_PLACE ? own : UNKNOWN;
     }
 }
@@ -276,13 +276,13 @@ static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *start
 
 // A ray on its way: boxes to enter, in no order, and the nearest hit so far. After the last box all
 // distances are infinite, and there is room for those of another node.
-enum { INDICES = 64, MOST_WAITING = INDICES - LANES };
+enum { INDICES = 64, MOST_WAITING = INDICES - BOXES };
 typedef struct {
     union {
-        alignas(64) float near[MOST_WAITING + LANES];
-        int bits[MOST_WAITING + LANES]; // the same floats: as ints they have the same order
+        alignas(64) float near[MOST_WAITING + BOXES];
+        int bits[MOST_WAITING + BOXES]; // the same floats: as ints they have the same order
     };
-    int box[MOST_WAITING + LANES]; // as WideNode's below
+    int box[MOST_WAITING + BOXES]; // as WideNode's below
     int count;
     Slopes slopes;
     int number; // of the ray
@@ -325,7 +325,7 @@ static inline void add_boxes(Walker *walker, const WideNode *node, const float *
     walker->count = count + __builtin_popcount(entered);
 #elif defined __wasm_simd128__
     const v128_t none = wasm_f32x4_splat(INFINITY);
-    for (int i = 0; i < LANES; i += 4) {
+    for (int i = 0; i < BOXES; i += 4) {
         const v128_t found = wasm_v128_load(near + i), boxes = wasm_v128_load(node->below + i);
         const uint32_t entered = wasm_i32x4_bitmask(wasm_f32x4_lt(found, none));
         const v128_t order = wasm_v128_load(entered_first[entered]);
@@ -335,7 +335,7 @@ static inline void add_boxes(Walker *walker, const WideNode *node, const float *
     }
     walker->count = count;
 #else
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < BOXES; i++) {
         walker->near[count] = near[i];
         walker->box[count] = node->below[i];
         count += near[i] < INFINITY;
@@ -360,9 +360,9 @@ static inline int least_distance(const Walker *walker, int begin, int end)
 // Mostly few wait.
 static inline float take_nearest(Walker *walker, int *next)
 {
-    int nearest_bits = least_distance(walker, 0, LANES);
-    if (walker->count >= LANES)
-        nearest_bits = least(nearest_bits, least_distance(walker, LANES, INDICES));
+    int nearest_bits = least_distance(walker, 0, BOXES);
+    if (walker->count >= BOXES)
+        nearest_bits = least(nearest_bits, least_distance(walker, BOXES, INDICES));
     const int at = nearest_bits & (INDICES - 1), last = walker->count - (walker->count > 0);
     const float nearest = walker->near[at];
     *next = walker->box[at];
@@ -401,7 +401,7 @@ static inline bool start_next(Walker *walker, const WideHierarchy *wide, const R
         return false;
     const int i = walker->number = (*started)++;
     const double reach = starts->reach[i];
-    for (int k = 0; k < MOST_WAITING + LANES; k++)
+    for (int k = 0; k < MOST_WAITING + BOXES; k++)
         walker->near[k] = INFINITY;
     walker->count = 0;
     walker->lost = isnan(starts->direction.x[i]);
@@ -427,7 +427,7 @@ static inline void leave_nodes(const WideHierarchy *wide, Walker *walkers, const
     for (; bits != 0; bits &= bits - 1) {
         Walker *walker = &walkers[__builtin_ctzll(bits)];
         const WideNode *node = &wide->nodes[next[__builtin_ctzll(bits)]];
-        alignas(64) float near[LANES];
+        alignas(64) float near[BOXES];
         enter(&walker->slopes, node, walker->farthest, near);
         add_boxes(walker, node, near);
     }
@@ -445,7 +445,7 @@ static inline void leave_leaves(const WideHierarchy *wide, const Starts *starts,
         const WideLeaf *leaf = &wide->leaves[~next[number]];
         unsigned missed = (unsigned)(walker->missed - leaf->first); // its place in this leaf
         spheres[number] = may_meet(&walker->slopes, leaf, walker->farthest) &
-                          ~(missed < LANES ? 1U << missed : 0);
+                          ~(missed < BOXES ? 1U << missed : 0);
         asking |= (Bits)(spheres[number] != 0) << number;
     }
     for (; asking != 0; asking &= asking - 1) {

@@ -129,7 +129,7 @@ static bool build(FloatScene *scene, const Work *work, Walk *walk, bool wide)
     scene->x = malloc(((size_t)size.width + TILE) * sizeof *scene->x);
     scene->y = malloc(((size_t)size.height + TILE) * sizeof *scene->y);
     return scene->colors != NULL && scene->seen != NULL && scene->x != NULL && scene->y != NULL &&
-           hierarchy_build(&scene->hierarchy, work->scene, wide ? LANES : SMALL_LEAF) &&
+           hierarchy_build(&scene->hierarchy, work->scene, wide ? BOXES : SMALL_LEAF) &&
            (wide ? wide_build(&scene->wide, &scene->hierarchy)
                  : (scene->boxes = malloc((size_t)scene->hierarchy.node_count *
                                           sizeof *scene->boxes)) != NULL);

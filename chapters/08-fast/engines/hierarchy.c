@@ -250,7 +250,7 @@ void hierarchy_free(Hierarchy *hierarchy)
     *hierarchy = (Hierarchy){0};
 }
 
-// ---- 16 boxes in a node -----------------------------------------------------------------------
+// ---- many boxes in a node ---------------------------------------------------------------------
 
 // Nodes are counted, and when there is memory for them, they are made.
 typedef struct {
@@ -267,14 +267,14 @@ static float box_surface(const Box *box)
 }
 
 // Opens a node, and then the largest of those in it, because rays enter it most often, until there
-// are 16. Returns their number.
+// are enough. Returns their number.
 static int open_boxes(const Node *nodes, int node, int *below)
 {
-    float surface[LANES]; // 0: a leaf, which is not opened
+    float surface[BOXES]; // 0: a leaf, which is not opened
     int count = 1, largest = 0;
     below[0] = node;
     surface[0] = nodes[node].other == 0 ? 0 : 1;
-    while (count < LANES && surface[largest] > 0) {
+    while (count < BOXES && surface[largest] > 0) {
         const int both[2] = {below[largest] + 1, nodes[below[largest]].other};
         const int into[2] = {largest, count++};
         for (int i = 0; i < 2; i++) {
@@ -303,9 +303,9 @@ static void set_node(const WideHierarchy *wide, WideNode *node, const Box *own)
         float size = (float)((own->high[axis] - own->low[axis]) * wide->scale);
         node->corner[axis] = (float)scaled(wide, axis, own->low[axis]);
         node->size = fmaxf(node->size, size);
-        for (int i = 0; i < LANES; i++) {
-            node->sides[2 * axis * LANES + i] = NOWHERE;
-            node->sides[(2 * axis + 1) * LANES + i] = -NOWHERE;
+        for (int i = 0; i < BOXES; i++) {
+            node->sides[2 * axis * BOXES + i] = NOWHERE;
+            node->sides[(2 * axis + 1) * BOXES + i] = -NOWHERE;
         }
     }
 }
@@ -314,7 +314,7 @@ static void set_box(const WideHierarchy *wide, WideNode *node, int i, const Box 
 {
     const double more = 0x1p-20 * (double)node->size + 0x1p-45;
     for (int axis = 0; axis < 3; axis++) {
-        float *low = &node->sides[2 * axis * LANES + i], *high = low + LANES;
+        float *low = &node->sides[2 * axis * BOXES + i], *high = low + BOXES;
         double corner = node->corner[axis];
         *low = (float)(scaled(wide, axis, box->low[axis]) - corner - more);
         *high = (float)(scaled(wide, axis, box->high[axis]) - corner + more);
@@ -331,7 +331,7 @@ static void set_leaf(const WideHierarchy *wide, WideLeaf *leaf, const Node *node
         leaf->center[axis] = (float)((low + high) / 2);
         size += (high - low) / 2;
     }
-    for (int k = 0; k < LANES; k++) {
+    for (int k = 0; k < BOXES; k++) {
         const double *sphere = wide->numbers + 4 * (size_t)(leaf->first + k);
         leaf->r[k] = NAN;
         if (k >= leaf->count)
@@ -349,7 +349,7 @@ static int widen(Widening *widening, int number)
     const Node *from = widening->from, *node = &from[number];
     WideHierarchy *to = widening->to;
     const int made = widening->nodes++;
-    int inside[LANES], count = open_boxes(from, number, inside);
+    int inside[BOXES], count = open_boxes(from, number, inside);
     if (to->nodes != NULL)
         set_node(to, &to->nodes[made], &node->box);
     for (int i = 0; i < count; i++) {

@@ -16,11 +16,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#ifdef __wasm__ // vectors of 4 floats: 8 boxes in a node are quicker there than 16
-enum { LANES = 8 };
-#else
 enum { LANES = 16 };
-#endif
 
 typedef enum { LANES_BASELINE, LANES_AVX2, LANES_AVX512, LANES_KINDS } LanesKind;
 

@@ -91,7 +91,7 @@ bool light_world_build(LightWorld *world)
 {
     const Scene *scene = world->scene;
     world->grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids);
-    bool built = world->grids != NULL && hierarchy_build(&world->hierarchy, scene, LANES) &&
+    bool built = world->grids != NULL && hierarchy_build(&world->hierarchy, scene, BOXES) &&
                  wide_build(&world->wide, &world->hierarchy);
     for (int i = 0; built && i < scene->light_count; i++)
         built = light_grid_build(&world->grids[i], scene, &world->wide, scene->lights[i]);

@@ -22,7 +22,7 @@ typedef struct {
     float near;
     int below; // as in WideNode
 } Waiting;
-enum { MOST_WAITING = HIERARCHY_DEEPEST * LANES };
+enum { MOST_WAITING = HIERARCHY_DEEPEST * BOXES };
 
 static float between(float low, float x, float high)
 {
@@ -55,14 +55,14 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
     }
 }
 
-// The last corners of 16 boxes along a direction n; the first ones along -n.
+// The last corners of a node's boxes along a direction n; the first ones along -n.
 static inline void add_last_corners(const WideNode *node, const float *n, float sign, float *last)
 {
-    const float *x = node->sides + (sign * n[0] > 0 ? LANES : 0);
-    const float *y = node->sides + (sign * n[1] > 0 ? 3 : 2) * LANES;
-    const float *z = node->sides + (sign * n[2] > 0 ? 5 : 4) * LANES;
+    const float *x = node->sides + (sign * n[0] > 0 ? BOXES : 0);
+    const float *y = node->sides + (sign * n[1] > 0 ? 3 : 2) * BOXES;
+    const float *z = node->sides + (sign * n[2] > 0 ? 5 : 4) * BOXES;
 #pragma omp simd
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < BOXES; i++)
         last[i] += n[0] * x[i] + n[1] * y[i] + n[2] * z[i];
 }
 
@@ -76,26 +76,26 @@ static unsigned frustum_enters(const Frustum *frustum, const WideNode *node, flo
         corner[axis] = (float)((double)node->corner[axis] - frustum->eye[axis]);
         reach += fabsf(corner[axis]);
     }
-    float least[LANES];
-    for (int i = 0; i < LANES; i++)
+    float least[BOXES];
+    for (int i = 0; i < BOXES; i++)
         least[i] = INFINITY;
     for (int side = LEFT; side <= AHEAD; side++) {
         const float *n = frustum->normal[side];
-        float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]), last[LANES];
+        float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]), last[BOXES];
         float begin = n[0] * corner[0] + n[1] * corner[1] + n[2] * corner[2];
         begin += (side == AHEAD ? -0x1p-19F : 0x1p-19F) * reach * sum;
-        for (int i = 0; i < LANES; i++)
+        for (int i = 0; i < BOXES; i++)
             last[i] = begin;
         add_last_corners(node, n, side == AHEAD ? -1 : 1, last);
 #pragma omp simd
-        for (int i = 0; i < LANES; i++) {
+        for (int i = 0; i < BOXES; i++) {
             least[i] = side < AHEAD ? smaller(least[i], last[i]) : least[i];
             near[i] = last[i];
         }
     }
     unsigned enters = 0;
 #pragma omp simd reduction(| : enters)
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < BOXES; i++)
         enters |= (unsigned)((least[i] >= 0) & (near[i] <= frustum->farthest)) << i;
     return enters;
 }
@@ -142,7 +142,7 @@ static void ask(Frustum *frustum, const View *view, const Tile *tile, const Wide
 // returns the new number.
 static int enter(const Frustum *frustum, const WideNode *node, Waiting *waiting, int count)
 {
-    float near[LANES];
+    float near[BOXES];
     int before = count;
     for (unsigned enters = frustum_enters(frustum, node, near); enters != 0; enters &= enters - 1) {
         int i = __builtin_ctz(enters), place = count++; // the lowest bit that is set
