@@ -276,13 +276,16 @@ half_y = "Y($1+$4/2,$2+$5/2,$3+$6/2)"
 moved = "(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
 beyond = "(X($1+1.2*$4,$2+1.2*$5,$3+1.2*$6)):(Y($1+1.2*$4,$2+1.2*$5,$3+1.2*$6))"
 
-# '@labels', last in a plot: those that C has placed, with their leaders.
-labels = 'for [i=1:label_count] $once using (leader_u[i]):(step < label_step[i] ? 1e9 : leader_v[i]):(leader_du[i]):(leader_dv[i]) \
-    with vectors nohead lw 0.8 lc rgb label_color[i] title "leader", \
-    for [i=1:label_count] $once using (label_u[i]):(label_v[i]):(label_is_left[i] || step < label_step[i] ? "" : label_text[i]) \
-    with labels tc rgb label_color[i] title label_title[i], \
-    for [i=1:label_count] $once using (label_u[i]):(label_v[i]):(label_is_left[i] && step >= label_step[i] ? label_text[i] : "") \
+# '@labels', last in a plot: those that C has placed, with their leaders; first centered ones, then lines of blocks of text.
+# A loop that has nothing to draw is left out, or gnuplot would read it all the same.
+label_leaders = 'for [i=1:leader_count] $once using (leader_u[i]):(step < label_step[leader[i]] ? 1e9 : leader_v[i]):(leader_du[i]):(leader_dv[i]) \
+    with vectors nohead lw 0.8 lc rgb label_color[leader[i]] title "leader", '
+label_middles = 'for [i=1:centered_count] $once using (label_u[i]):(label_v[i]):(step < label_step[i] ? "" : label_text[i]) \
+    with labels tc rgb label_color[i] title label_title[i]'
+label_blocks = 'for [i=centered_count + 1:label_count] $once using (label_u[i]):(label_v[i]):(step < label_step[i] ? "" : label_text[i]) \
     with labels left tc rgb label_color[i] title label_title[i]'
+place_labels = 'labels = (leader_count > 0 ? label_leaders : "").(centered_count > 0 ? label_middles : "") \
+    .(centered_count > 0 && centered_count < label_count ? ", " : "").(centered_count < label_count ? label_blocks : "")'
 
 # ---- yours beside the right one --------------------------------------------------------------------
 

@@ -23,6 +23,7 @@ struct Plot {
     Handle handles[MOST_HANDLES]; // those that are typed are the last
     int handle_count;
     bool is_live;
+    bool is_moved;  // a handle is: the options that put it there are asked for, not the script
     FILE *pictures; // where pictures go; NULL: into the script
     FILE *strip;    // the paragraphs below the canvas
     int paragraphs;

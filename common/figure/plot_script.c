@@ -142,7 +142,8 @@ static bool prepare_page(Plot *plot, const FigureCommand *command)
         fprintf(stderr, "--held %s: expected the view of a figure\n", word_text(command->held).s);
         return false;
     }
-    plot->is_live = command->live != NULL || command->drag != NULL;
+    plot->is_moved = command->drag != NULL;
+    plot->is_live = command->live != NULL || plot->is_moved;
     if (command->live != NULL) {
         plot->pictures = live_file(command->live, "pictures");
         return plot->pictures != NULL && fputs("\n", plot->pictures) != EOF;

@@ -877,8 +877,11 @@ static void write_both(FILE *out, const char *name, int number, double wide, dou
     fprintf(out, "%s", name);
     if (number > 0)
         fprintf(out, "[%d]", number);
-    fprintf(out, " = shape eq \"4:3\" ? %s : %s\n", gnuplot_number(narrow).s,
-            gnuplot_number(wide).s);
+    if (wide == narrow)
+        fprintf(out, " = %s\n", gnuplot_number(wide).s);
+    else
+        fprintf(out, " = shape eq \"4:3\" ? %s : %s\n", gnuplot_number(narrow).s,
+                gnuplot_number(wide).s);
 }
 
 // A line's text as an expression of gnuplot: "".math("d")." = ".d_text
@@ -917,8 +920,14 @@ typedef struct {
     const char *text, *names;
     size_t length;
     double above;
-    bool is_left, is_first;
+    bool is_left;
 } Line;
+
+// A line from a label to what it names.
+typedef struct {
+    int label;
+    Spot start, end;
+} Leader;
 
 // What it names: nothing draws that, but who reads the script can tell (tests/house/figures).
 static void write_anchor(FILE *out, int number, const PlacedLabel *placed)
@@ -932,36 +941,26 @@ static void write_anchor(FILE *out, int number, const PlacedLabel *placed)
 
 static void write_line(const PlotView *view, FILE *out, int number, Line line)
 {
-    double u[SHAPES], v[SHAPES], from[SHAPES][2], to[SHAPES][2];
+    double u[SHAPES], v[SHAPES];
     for (int shape = 0; shape < SHAPES; shape++) {
-        const double out_of_sight = 1e9;
         PlacedLabel label = line.placed[shape];
-        bool leads = label.leads && line.is_first;
         u[shape] = label.middle.u - (line.is_left ? label.width / 2 : 0);
         v[shape] = label.middle.v + line.above;
-        from[shape][0] = leads ? label.start.u : out_of_sight;
-        from[shape][1] = leads ? label.start.v : out_of_sight;
-        to[shape][0] = leads ? label.end.u - label.start.u : 1;
-        to[shape][1] = leads ? label.end.v - label.start.v : 1;
     }
     fprintf(out, "label_text[%d] = ", number);
     for (int shape = 0; shape < SHAPES; shape++)
         if (!line.is_there[shape])
             fprintf(out, "shape %s \"4:3\" ? \"\" : ", shape == 1 ? "eq" : "ne");
     write_text(view, out, line.text, line.length);
-    fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\nlabel_is_left[%d] = %d\n", number,
-            line.label->color, number, line.label->step, number, line.is_left);
+    fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\n", number, line.label->color, number,
+            line.label->step);
     fprintf(out, "label_title[%d] = \"label of ", number);
     for (const char *c = line.names; *c != '\0'; c++)
         putc(*c == '_' ? ' ' : *c, out);
     fputs("\"\n", out);
     write_both(out, "label_u", number, u[0], u[1]);
     write_both(out, "label_v", number, v[0], v[1]);
-    write_both(out, "leader_u", number, from[0][0], from[1][0]);
-    write_both(out, "leader_v", number, from[0][1], from[1][1]);
-    write_both(out, "leader_du", number, to[0][0], to[1][0]);
-    write_both(out, "leader_dv", number, to[0][1], to[1][1]);
-    if (!line.placed[0].free && !line.placed[0].pinned)
+    if (!line.placed[0].free && !line.placed[0].pinned && view->only == SHAPES)
         write_anchor(out, number, line.placed);
 }
 
@@ -986,8 +985,9 @@ static bool is_placed(const PlotView *view, const Wanted *wanted)
            wanted->number[shape_at(view, 1)] != NOWHERE;
 }
 
-// Lines of labels: those of one label, or of a block of text.
-static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first)
+// Lines of labels: those of one label, or of a block of text. The first has the leader.
+static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first,
+                        List leaders[SHAPES])
 {
     PlacedLabel placed[SHAPES];
     bool is_there[SHAPES];
@@ -996,6 +996,9 @@ static int write_wanted(const PlotView *view, FILE *out, int number, const Wante
         is_there[i] = first->number[shape] != NOWHERE;
         placed[i] =
             is_there[i] ? labels_get(view->labels[shape], first->number[shape]) : (PlacedLabel){0};
+        if (placed[i].leads)
+            *(Leader *)add(&leaders[i], sizeof(Leader)) =
+                (Leader){number, placed[i].start, placed[i].end};
     }
     bool is_block = first->lines > 0;
     int lines = is_block ? first->lines : lines_of(first);
@@ -1007,28 +1010,65 @@ static int write_wanted(const PlotView *view, FILE *out, int number, const Wante
         double above = LINE_HEIGHT * ((lines - 1) / 2.0 - i);
         write_line(view, out, number++,
                    (Line){placed, is_there, &wanted->label, text, is_block ? "words" : first->block,
-                          length, above, is_block, i == 0});
+                          length, above, is_block});
         text += length + 1;
     }
     return number;
 }
 
+static void write_arrays(FILE *out, const char *const *names, int size)
+{
+    for (; *names != NULL; names++)
+        fprintf(out, "array %s[%d]\n", *names, size > 0 ? size : 1);
+}
+
+static void write_leaders(FILE *out, const List leaders[SHAPES])
+{
+    static const char *const arrays[] = {"leader",    "leader_u",  "leader_v",
+                                         "leader_du", "leader_dv", NULL};
+    int wide = leaders[0].count, narrow = leaders[1].count;
+    write_both(out, "leader_count", 0, wide, narrow);
+    write_arrays(out, arrays, wide > narrow ? wide : narrow);
+    for (int i = 0; i < wide || i < narrow; i++) {
+        Leader of[SHAPES] = {0};
+        for (int shape = 0; shape < SHAPES; shape++)
+            if (i < leaders[shape].count)
+                of[shape] = ((const Leader *)leaders[shape].items)[i];
+        write_both(out, "leader", i + 1, of[0].label, of[1].label);
+        write_both(out, "leader_u", i + 1, of[0].start.u, of[1].start.u);
+        write_both(out, "leader_v", i + 1, of[0].start.v, of[1].start.v);
+        write_both(out, "leader_du", i + 1, of[0].end.u - of[0].start.u,
+                   of[1].end.u - of[1].start.u);
+        write_both(out, "leader_dv", i + 1, of[0].end.v - of[0].start.v,
+                   of[1].end.v - of[1].start.v);
+    }
+}
+
+// First those that are centered, then the lines of blocks, which begin at their left edge.
 static void write_labels(const PlotView *view, FILE *out)
 {
-    static const char *const arrays[] = {
-        "label_text", "label_color", "label_step",  "label_is_left", "label_title", "label_u",
-        "label_v",    "leader_u",    "leader_v",    "leader_du",     "leader_dv",   "anchor_u",
-        "anchor_v",   "anchor_to_u", "anchor_to_v", "anchor_r"};
+    static const char *const arrays[] = {"label_text",  "label_color", "label_step", "label_title",
+                                         "label_u",     "label_v",     "anchor_u",   "anchor_v",
+                                         "anchor_to_u", "anchor_to_v", "anchor_r",   NULL};
     const Wanted *wanted = view->wanted.items;
-    int count = 0, number = 1;
+    List leaders[SHAPES] = {0};
+    int centered = 0, in_blocks = 0, number = 1;
     for (int i = 0; i < view->wanted.count; i++)
-        count += wanted[i].lines != 0 ? 1 : is_placed(view, &wanted[i]) ? lines_of(&wanted[i]) : 0;
-    fprintf(out, "label_count = %d\n", count);
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
-        fprintf(out, "array %s[%d]\n", arrays[i], count > 0 ? count : 1);
-    for (int i = 0; i < view->wanted.count; i++)
-        if (wanted[i].lines >= 0 && is_placed(view, &wanted[i]))
-            number = write_wanted(view, out, number, &wanted[i]);
+        if (wanted[i].lines != 0)
+            in_blocks++;
+        else if (is_placed(view, &wanted[i]))
+            centered += lines_of(&wanted[i]);
+    fprintf(out, "centered_count = %d\nlabel_count = %d\n", centered, centered + in_blocks);
+    write_arrays(out, arrays, centered + in_blocks);
+    for (int blocks = 0; blocks < 2; blocks++)
+        for (int i = 0; i < view->wanted.count; i++)
+            if (wanted[i].lines >= 0 && (wanted[i].lines > 0) == blocks &&
+                is_placed(view, &wanted[i]))
+                number = write_wanted(view, out, number, &wanted[i], leaders);
+    write_leaders(out, leaders);
+    for (int shape = 0; shape < SHAPES; shape++)
+        free(leaders[shape].items);
+    fputs("@place_labels\n", out);
 }
 
 bool plot_view_end(Plot *plot)
@@ -1036,6 +1076,8 @@ bool plot_view_end(Plot *plot)
     PlotView *view = plot->view;
     if (!view->looks)
         return false;
+    if (plot->is_moved && view->is_held) // only the handles are asked for, and the view is known
+        return true;
     for (int shape = 0; shape < SHAPES; shape++)
         if (view->only == SHAPES || view->only == shape)
             place(view, shape);

@@ -91,7 +91,7 @@ def steps_only_add(checks, program, name, steps, *options):
         marks = {(title, tuple(shape.get(key) or "" for key in ("points", "d", "transform", "href")))
                  for title, groups in figure.plots.items() for group in groups
                  for shape in group.iter() if not shape.tag.endswith("title")}
-        labels = {label for label in figure.labels()}
+        labels = {label for label in figure.labels() if label[0]}  # an empty one shows nothing
         if before is not None:
             checks.that(f"{name}: step {step} keeps what step {step - 1} shows",
                         before[0] <= marks and before[1] <= labels, str(before[1] - labels))
@@ -259,34 +259,39 @@ class Label:
         return self.anchor[0] == self.anchor[1] and to_line(self.anchor[0], anchor[:2]) < ON + anchor[2]
 
 
+def numbered(figure, names):
+    """name[number] = value, in this shape."""
+    for name, number, narrow, wide in re.findall(
+            rf'^({names})\[(\d+)\] = (?:shape eq "4:3" \? (\S+) : )?(\S+)$', figure.script, re.M):
+        yield int(number), name, float(narrow if narrow and figure.width == 720 else wide)
+
+
 def anchors_of(figure):
     """Number of a label's line: the stretch that it names, and the radius of the disc around it."""
     found = {}
-    for name, number, narrow, wide in re.findall(
-            r'^(anchor_\w+)\[(\d+)\] = shape eq "4:3" \? (\S+) : (\S+)$', figure.script, re.M):
-        found.setdefault(int(number), {})[name] = float(narrow if figure.width == 720 else wide)
+    for number, name, value in numbered(figure, r"anchor_\w+"):
+        found.setdefault(number, {})[name] = value
     return {number: ((a["anchor_u"], a["anchor_v"]), (a["anchor_to_u"], a["anchor_to_v"]), a["anchor_r"])
             for number, a in found.items()}
 
 
 def labels_of(figure, texts, marks):
-    """All labels that are shown. plot.gp draws three plots a line: its leader, and then twice its text, one of
-    them empty."""
+    """All labels that are shown. plot.gp draws a plot for each leader, and then one for each line of text."""
     groups = [group for title in figure.plots if title.startswith("label of ") for group in figure.plots[title]]
     groups.sort(key=lambda group: int(group.get("id").rsplit("_", 1)[1]))
-    anchors, count = anchors_of(figure), len(groups) // 2
+    anchors = anchors_of(figure)
+    led = {int(label): marks.leaders[number - 1] for number, _, label in numbered(figure, "leader") if number <= len(marks.leaders)}
     by_group = {}
     for text in texts:
         if text.words and text.plot is not None:
             by_group.setdefault(text.plot, []).append(text)
     labels = []
-    for i in range(count):
-        anchor, name = anchors.get(i + 1), groups[i].find(SVG + "title").text.removeprefix("label of ")
+    for i, group in enumerate(groups, 1):
+        anchor, name = anchors.get(i), group.find(SVG + "title").text.removeprefix("label of ")
         if not labels or (labels[-1].name, labels[-1].anchor) != (name, anchor):
             labels.append(Label(name, anchor))
-        labels[-1].leader += marks.leaders[i]
-        for group in (groups[i], groups[i + count]):
-            labels[-1].texts += by_group.get(group, [])
+        labels[-1].leader += led.get(i, [])
+        labels[-1].texts += by_group.get(group, [])
     return [label for label in labels if label.texts]
 
 
