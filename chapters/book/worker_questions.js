@@ -122,3 +122,23 @@ export class Helper {
         waiting.forEach(({ reject }) => reject(new Stopped(why, isBusy)));
     }
 }
+
+const UNUSED = 10_000; // milliseconds, after which the second Worker is ended
+
+/** Draws figures, and those that say `beside`, as while something is dragged, two at a time. */
+export class Drawer extends Helper {
+    second = new Helper(this.start);
+    isReady = false;
+
+    ask({ beside, ...what }, onProgress) {
+        if (!beside)
+            return super.ask(what, onProgress);
+        if (!this.second.worker) {
+            this.isReady = false;
+            this.second.ask(what).then(() => { this.isReady = true; }, () => {});
+        }
+        clearTimeout(this.unused);
+        this.unused = setTimeout(() => this.second.stop("it is not used any more", false), UNUSED);
+        return this.isReady && this.asked.size > 0 ? this.second.ask(what, onProgress) : super.ask(what, onProgress);
+    }
+}

@@ -9,7 +9,7 @@ const fileOf = (site, figure, theme) =>
 const areStatic = document.documentElement.dataset.figures === "static";
 
 /**
- * @param {{site: URL, themeNow: () => string, drawer: import("../worker_questions.js").Helper}} given drawer: figure_worker.js
+ * @param {{site: URL, themeNow: () => string, drawer: import("../worker_questions.js").Drawer}} given drawer: figure_worker.js
  * @returns {{fetched: Promise<void>, shown: Promise<void>}} of the figures that are in sight at first: what they need is
  *          there; one of them is live. Both end also if there is none, or if it cannot be drawn.
  */
@@ -171,7 +171,9 @@ const STYLE = `
 .bar button { font: inherit; color: inherit; min-height: 2.1rem; min-width: 2.1rem; padding: 0.15rem 0.6rem; border: 1px solid var(--line, #d0d6dc);
     border-radius: 0.4rem; background: var(--ground, #fff); cursor: pointer; }
 .bar button:disabled { opacity: 0.4; cursor: default; }
-.bar-fields { display: flex; gap: 0.5rem; flex: 1 1 0; min-width: 0; margin: -4px; padding: 4px; overflow-x: auto; scrollbar-width: thin; white-space: nowrap; }
+.bar-fields { display: flex; gap: 0.5rem; flex: 1 1 0; min-width: 0; margin: -4px; padding: 4px; overflow: hidden; white-space: nowrap; }
+.bar:not(.folded) .numbers, .folded:not(.open) .bar-fields { display: none; }
+.folded .bar-fields { flex: 1 0 100%; flex-wrap: wrap; order: 1; }
 .steps { display: flex; align-items: center; gap: 0.4rem; margin-left: auto; }
 label { display: flex; flex-direction: column; flex: 1 1 6.2rem; min-width: min-content; max-width: 17rem; font-size: 0.78rem; line-height: 1.2; }
 label:has(.short) { flex-basis: 3rem; max-width: 6rem; }
@@ -191,34 +193,38 @@ button:focus-visible, input:focus-visible { outline: 3px solid var(--blue, #0069
 
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-/** The newest question alone is asked while one is answered; `afterwards` runs when no question is left. */
+/**
+ * While `most` questions are open, of those that follow the newest alone is asked. Answers are taken in the order of the
+ * questions; `afterwards` runs when no question is left.
+ */
 function latest(ask, setBusy) {
-    let busy = false, next = null, last = null;
-    async function run() {
-        busy = true;
-        setBusy(true);
-        for (let now; (now = next);) {
+    let open = 0, next = null, last = null, before = Promise.resolve();
+    function begin() {
+        for (let now; (now = next) && open < now.most;) {
             next = null;
-            try {
-                now.done(await ask(now.what()), null);
-            } catch (reason) {
-                now.done(null, reason);
-            }
+            if (open++ === 0)
+                setBusy(true);
+            const answer = ask(now.what());
+            before = Promise.allSettled([before, answer]).then(() => answer).then((drawn) => now.done(drawn, null)).catch((reason) => now.done(null, reason)).then(end);
         }
-        busy = false;
+    }
+    function end() {
+        open--;
+        begin();
+        if (open > 0)
+            return;
         const then = last;
         last = null;
         setBusy(false);
         then?.();
     }
     return {
-        ask(what, done) {
-            next = { what, done };
-            if (!busy)
-                run();
+        ask(what, done, most = 1) {
+            next = { what, done, most };
+            begin();
         },
         afterwards(then) {
-            if (busy)
+            if (open > 0)
                 last = then;
             else
                 then();
@@ -255,7 +261,7 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
                 elements.wrong.textContent = reason.message;
             }
             then(drawn);
-        });
+        }, more?.beside ? 2 : 1);
     }
 
     // ---- what is there ------------------------------------------------------------------------------
@@ -268,13 +274,15 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
         sheet.replaceSync(STYLE);
         root.adoptedStyleSheets = [sheet];
         root.innerHTML = `<div class="canvas"><div class="drawing"></div><div class="handles"></div></div>
-<form class="bar"><span class="fields"></span><button type="button" class="reset" hidden>Reset</button>
+<form class="bar"><button type="button" class="numbers" aria-expanded="false">Numbers</button><span class="fields"></span><button type="button" class="reset" hidden>Reset</button>
 <span class="steps"><button type="button" class="back" aria-label="Back one step">‹</button><span class="step"></span><button type="button" class="next" aria-label="Forward one step">›</button></span>
 <p class="wrong" role="alert"></p></form><p class="spoken" role="status"></p>`;
-        for (const name of ["canvas", "drawing", "handles", "fields", "reset", "steps", "back", "step", "next", "wrong", "spoken", "bar"])
+        for (const name of ["canvas", "drawing", "handles", "numbers", "fields", "reset", "steps", "back", "step", "next", "wrong", "spoken", "bar"])
             elements[name] = root.querySelector(`.${name}`);
         elements.fields.className = "bar-fields";
         elements.reset.addEventListener("click", () => { options = {}; elements.wrong.textContent = ""; redraw(); });
+        elements.numbers.addEventListener("click", () => elements.numbers.setAttribute("aria-expanded", String(elements.bar.classList.toggle("open"))));
+        new ResizeObserver(fold).observe(elements.bar);
         elements.back.addEventListener("click", () => go(-1));
         elements.next.addEventListener("click", () => go(1));
         elements.bar.addEventListener("submit", (event) => event.preventDefault());
@@ -297,6 +305,7 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
         elements.reset.hidden = Object.keys(options).length === 0;
         showHandles(drawn.handles);
         showFields([...drawn.handles, ...drawn.typed]);
+        root.host.dispatchEvent(new Event("drawn", { bubbles: true })); // page/letters.js
         const words = figure.querySelector("figcaption details p");
         if (words && drawn.words)
             words.textContent = drawn.words;
@@ -323,13 +332,21 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
     function showFields(all) {
         const fields = all.flatMap(({ words, options: its }) => Object.entries(its).map(([option, value]) => ({ words, option, value })));
         const known = [...elements.fields.querySelectorAll("input")];
-        if (!same(known.map((each) => each.name), fields.map((each) => each.option)))
+        if (!same(known.map((each) => each.name), fields.map((each) => each.option))) {
             elements.fields.replaceChildren(...fields.map(newField));
+            fold();
+        }
         elements.fields.querySelectorAll("input").forEach((input, i) => {
             if (input !== root.activeElement || input.value === input.dataset.was)
                 input.value = fields[i].value;
             input.dataset.was = fields[i].value;
         });
+    }
+
+    /** Fields for which the bar is too narrow are behind a button. */
+    function fold() {
+        elements.bar.classList.remove("folded");
+        elements.bar.classList.toggle("folded", elements.fields.scrollWidth > elements.fields.clientWidth);
     }
 
     function newField({ words, option, value }) {
@@ -379,7 +396,7 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {}, shape: f
             if (!held || !button.hasPointerCapture(event.pointerId))
                 return;
             const { u, v } = onCanvas(event.clientX, event.clientY);
-            redraw({ held: held.view, put: { handle: number, u: u + held.du, v: v + held.dv } });
+            redraw({ held: held.view, beside: true, put: { handle: number, u: u + held.du, v: v + held.dv } });
         });
         const end = () => {
             if (!held)

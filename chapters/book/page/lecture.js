@@ -3,7 +3,7 @@
 // are static, because a browser starts no Worker there.
 import { liveFigure } from "./figures.js";
 import { element, shown } from "./verdict.js";
-import { Helper } from "../worker_questions.js";
+import { Drawer, Helper } from "../worker_questions.js";
 
 const WIDTH = 960, HEIGHT = 540; // of a slide
 const WORDS_WIDTHS = [324, 342, 360, 384, 420, 480, 540]; // of the words beside a figure, until they are not too high
@@ -88,7 +88,7 @@ let drawer = null;
 function worker() {
     if (location.protocol === "file:" || root.dataset.figures === "static")
         return null;
-    drawer ??= new Helper(() => new Worker(new URL("figure_worker.js", location.href), { type: "module" }));
+    drawer ??= new Drawer(() => new Worker(new URL("figure_worker.js", location.href), { type: "module" }));
     return drawer;
 }
 

@@ -29,20 +29,22 @@ export function setUpLetters(lesson) {
     }
     /** In C: the letter itself, ray.origin or moved_ray.origin, or a parameter of this name. */
     function patternOf(letter) {
-        const path = /^\w+((\.|->)\w+)?$/.test(names[letter]) ? names[letter] : "";
-        return new RegExp(`(?<![\\w.>])(?:${[letter.replace("_", ""), ...path ? [`(?:\\w+_)?${path.replace(".", "\\.")}`, path.split(/\W+/).at(-1)] : []].join("|")})(?!\\w)`, "g");
+        const parts = /^\w+((\.|->)\w+)*$/.exec(names[letter] ?? "")?.[0].split(/\W+/) ?? [];
+        return new RegExp(`(?<![\\w.>])(?:${[letter.replace("_", ""), ...parts.length > 0 ? [`(?:\\w+_)?${parts.join("(?:\\.|->)")}`, parts.at(-1)] : []].join("|")})(?!\\w)`, "g");
     }
     let lit = "";
+    const mark = (letters) => letters.forEach((each) => each.classList.toggle("lit", lit !== "" && nameOf(each) === lit));
+    const markFigure = ({ shadowRoot }) => mark([...shadowRoot.querySelectorAll('tspan[font-style="italic"]')]);
     function light(letter) {
         if (letter === lit)
             return;
         lit = letter;
-        const letters = [...lesson.querySelectorAll(LETTER)], figures = [...document.querySelectorAll(".figure .drawing > div")].map(({ shadowRoot }) => shadowRoot);
-        for (const each of [...letters, ...figures.flatMap((figure) => [...figure.querySelectorAll('tspan[font-style="italic"]')])])
-            each.classList.toggle("lit", letter !== "" && nameOf(each) === letter);
+        mark([...lesson.querySelectorAll(LETTER)]);
+        document.querySelectorAll(".figure .drawing > div").forEach(markFigure);
         const lines = [...lesson.querySelectorAll("code"), ...document.querySelector("#editor").shadowRoot?.querySelectorAll(".cm-line") ?? []];
         globalThis.CSS.highlights?.set("lit", new Highlight(...letter ? lines.flatMap((line) => rangesIn(line, patternOf(letter))) : []));
     }
+    document.addEventListener("drawn", ({ target }) => markFigure(/** @type {Element} */ (target)));
     lesson.addEventListener("pointerover", ({ target }) => { const letter = target.closest(LETTER); light(letter ? nameOf(letter) : ""); });
     lesson.addEventListener("pointerleave", () => light(""));
     lesson.addEventListener("focusout", () => light(""));

@@ -3,7 +3,7 @@
 import { answersIn, download, openAnswers, writableStorage } from "./answers.js";
 import { setUpExercise } from "./exercise.js";
 import { setUpFigures } from "./figures.js";
-import { Helper } from "../worker_questions.js";
+import { Drawer, Helper } from "../worker_questions.js";
 import { setUpLetters } from "./letters.js";
 
 /* global COURSE */
@@ -221,7 +221,7 @@ const keepsPages = "serviceWorker" in navigator && location.protocol !== "file:"
 if (keepsPages)
     await takeNewVersion().catch(() => {});
 setUpTheme();
-const drawer = new Helper(() => new Worker(new URL("figure_worker.js", site), { type: "module" }));
+const drawer = new Drawer(() => new Worker(new URL("figure_worker.js", site), { type: "module" }));
 // The figures are seen first.
 const firstFigure = document.querySelector(".figure") && setUpFigures({ site, themeNow, drawer });
 const course = COURSE; // written here when the site is built: site/make_pages.mjs
