@@ -163,9 +163,9 @@ class Figure:
         return float(self.variables[name])
 
     def chosen(self, name):
-        """A number that is another one on the narrow canvas."""
-        narrow, wide = re.search(re.escape(name) + r' = shape eq "4:3" \? (.*) : (.*)', self.script).groups()
-        return float(narrow if self.width == 720 else wide)
+        """A number that may be another one on the narrow canvas."""
+        narrow, wide = re.search(re.escape(name) + r' = (?:shape eq "4:3" \? (.*) : )?(.*)', self.script).groups()
+        return float(narrow if narrow and self.width == 720 else wide)
 
     def text(self, name):
         return self.variables[name].strip('"')
