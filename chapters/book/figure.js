@@ -2,7 +2,7 @@
 // draws it, and finishFigure makes of that the figure that is shown.
 //
 // Nothing is computed here: the program says what is drawn, what can be dragged and where it is on the canvas
-// (common/figure/handles.c), and which options a drag gives.
+// (common/figure/plot_handle.c), and which options a drag gives.
 import createGnuplot from "gnuplot-wasm/src/gnuplot.js";
 import { PAGE, clear, isEmpty, run } from "./wasi.js";
 
