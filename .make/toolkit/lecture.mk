@@ -133,9 +133,9 @@ check check-all check-long: $(PRINT_ANIMATION)
 
 # ---- lessons, with their numbers, figures and pictures, as they are committed for readers who build nothing ---
 
-# Lessons with numbers of the example (chapters/example.h) are made from chapters/lessons/NN-stem.md; the program
-# of NN-stem.c prints their numbers, and fill.py puts them in, and the output of the chapter's program.
-LESSONS := $(patsubst chapters/lessons/%.md,%,$(wildcard chapters/lessons/*.md))
+# Lessons have numbers of the example (chapters/example.h) in the lines that chapters/lessons/lines.txt has; the program
+# of NN-stem.c prints these numbers, and fill.py puts them in, and the output of the chapter's program.
+LESSONS := $(filter $(CHAPTERS),$(file <chapters/lessons/lines.txt))
 FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
 parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
 $(FILL_LESSON): %: %.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
@@ -144,16 +144,16 @@ $(FILL_LESSON): %: %.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lesso
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 FILL := $(PYTHON) chapters/lessons/fill.py
 FILLED := $(LESSONS:%=$(B)/lessons/%.md)
-$(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md chapters/lessons/fill.py $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
+$(FILLED): $(B)/lessons/%.md: $(addprefix chapters/lessons/,lines.txt fill.py) $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
 	$(Q)mkdir -p $(@D)
 	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
-	$(Q)if command -v python3 >/dev/null; then $(FILL) $(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md; \
+	$(Q)if command -v python3 >/dev/null; then $(FILL) $(B)/chapters/lessons/$* $(@:.md=.txt) chapters/$*/README.md; \
 		else cat chapters/$*/README.md; fi > $@
 
 # The same with each number marked, for a page (chapters/lessons/fill.py).
 LESSONS_MARKED := $(LESSONS:%=$(B)/lessons/%.marked.md)
 $(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
-	$(Q)$(FILL) $(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
+	$(Q)$(FILL) $(B)/chapters/lessons/$* $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
 
 # Numbers that are not an example are named before anything is made of them.
 CHECK_EXAMPLE := $(B)$(EXAMPLE:%=/examples/%)/check_example
@@ -166,18 +166,13 @@ $(EXAMPLE_CHECKED): $(CHECK_EXAMPLE)
 $(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHECKED)
 
 # If the example has other numbers, the lessons change, and with them their figures and pictures. So 'make' writes
-# them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
-# are as they should be keep their dates.
+# them as well. Lessons that are as they should be keep their dates.
 LESSONS_MADE := $(B)/lessons/made
 $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
-	@written=; kept=; for stem in $(LESSONS); do \
-		lesson=chapters/$$stem/README.md; source=chapters/lessons/$$stem.md; \
-		if cmp -s $(B)/lessons/$$stem.md $$lesson; then :; \
-		elif [ -z '$(filter lessons,$(MAKECMDGOALS))' ] && [ $$lesson -nt $$source ] && [ $$lesson -nt chapters/example.h ]; then \
-			kept=yes; echo "$$lesson differs from what $$source makes: 'make lessons' writes it again"; \
-		else written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; fi; done; \
+	@written=; for stem in $(LESSONS); do lesson=chapters/$$stem/README.md; \
+		cmp -s $(B)/lessons/$$stem.md $$lesson || { written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; }; done; \
 	[ -z "$$written" ] || MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
-	[ -n "$$kept" ] || touch $@
+	touch $@
 ifeq ($(A)$(EXAMPLE),solutions)
 $(BUILT)/made $(PAGE): $(LESSONS_MADE)
 endif

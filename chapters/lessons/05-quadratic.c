@@ -16,10 +16,9 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
     q.a = 1;
     Roots roots = quadratic_roots(q);
     if (fabs(a - 1) < 1e-6)
-        fill_text("with_1",
-                  "If you use 1 for $a$,\nthat makes no difference here: test with another ray.");
+        fill_text("with_1", "for $a$, that makes no difference here: test with another ray.");
     else if (roots.count == 0)
-        fill_text("with_1", "If you use 1 instead of %s, $D$ is %s, and the ray seems to miss.",
+        fill_text("with_1", "instead of %s, $D$ is %s, and the ray seems to miss.",
                   number_shown(a).s, number_shown(q.b * q.b - 4 * q.c).s);
     else {
         double t = roots.t[0];
@@ -28,11 +27,11 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
         while (digits < 15 && strcmp(number_shown_to(away, digits).s,
                                      number_shown_to(sphere.radius, digits).s) == 0)
             digits++;
-        fill_text("with_1",
-                  "If you use 1 instead of %s, you get\n$t = %s$. That point is %s from the "
-                  "center: %s the sphere.",
-                  number_shown(a).s, number_shown(t).s, number_shown_to(away, digits).s,
-                  away < sphere.radius ? "inside" : "outside");
+        fill_text(
+            "with_1",
+            "instead of %s, you get $t = %s$. That point is %s from the center: %s the sphere.",
+            number_shown(a).s, number_shown(t).s, number_shown_to(away, digits).s,
+            away < sphere.radius ? "inside" : "outside");
     }
 }
 

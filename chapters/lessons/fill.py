@@ -1,16 +1,11 @@
-"""fill.py - fills the numbers of the example into the source of a lesson.
+"""fill.py - puts the numbers of the example into a lesson, in the place of those that are there.
 
-    fill.py NUMBERS SOURCE.md OUTPUT.txt README.md [marked]
+    fill.py NUMBERS OUTPUT.txt README.md [marked]       from the top of the project
 
-NUMBERS: the program of NN-stem.c. OUTPUT: of the chapter's program. README: the lesson as it is. With 'marked', each
-number is between private characters, so that a page finds it (chapters/book/site/lesson.mjs): U+E000 NAME U+E001
-NUMBER U+E002. The source, chapters/lessons/NN-stem.md, has in double brackets
-  [[name]]              a number or a text that NN-stem.c gives by that name
-  [[output HEADING]]    on a line of its own: what the chapter's program prints below the heading that begins so,
-                        heading included
-  [[figure NAME]]       on a line of its own: the line that shows a figure, as the lesson has it now; make
-                        lesson-figures writes it
-All other text is the lesson's. Numbers come as people write them; in formulas they become LaTeX.
+Prints the lesson README.md; its lines with numbers are in lines.txt. NUMBERS: the program that gives them. OUTPUT: what
+the chapter's program prints. With 'marked', each number is between private characters, so that a page finds it
+(chapters/book/site/lesson.mjs): U+E000 NAME U+E001 NUMBER U+E002. Numbers come as people write them; in formulas they
+become LaTeX.
 """
 import json
 import re
@@ -18,9 +13,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-
+LINES = Path("chapters/lessons/lines.txt")
 FORMULA = re.compile(r"```math\n.*?^```|(```|~~~).*?^\1|`[^`\n]*`|\$[^$]*\$", re.MULTILINE | re.DOTALL)
 PLAIN = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+NAME = re.compile(r"\[\[(.*?)\]\]")
 
 
 def as_latex(formula):
@@ -34,13 +30,22 @@ def in_formulas(text):
 
 
 class Lesson:
-    def __init__(self, numbers, source, output, lesson, marked):
+    def __init__(self, numbers, output, lesson, marked):
         self.numbers = json.loads(subprocess.run([numbers], stdout=subprocess.PIPE, check=True).stdout)
-        self.source, self.marked, self.used, self.errors = source, marked, set(), []
+        self.path, self.marked, self.used, self.errors = Path(lesson), marked, set(), []
         self.output, self.lesson = (Path(path).read_text(encoding="utf-8") for path in (output, lesson))
 
+    def lines(self):
+        """(number, line) of each line of this lesson that has numbers."""
+        stem = ""
+        for number, line in enumerate(LINES.read_text(encoding="utf-8").splitlines(), 1):
+            if line.startswith("= "):
+                stem = line[2:]
+            elif line and stem == self.path.parent.name:
+                yield number, line
+
     def wrong(self, number, words):
-        self.errors.append(f"{self.source}:{number}: {words}")
+        self.errors.append(f"{LINES}:{number}: {words}")
         return ""
 
     def number(self, name, line):
@@ -50,26 +55,37 @@ class Lesson:
         text = self.numbers[name]
         return f"\ue000{name}\ue001{text}\ue002" if self.marked else text
 
-    def filled(self, line, number):
-        figure, output = (re.fullmatch(rf"\[\[{word} (.*)\]\]", line) for word in ("figure", "output"))
-        if figure:
-            shown = re.search(rf"^.*\]\({re.escape(figure[1])}\.svg\).*$", self.lesson, re.M)
-            return shown[0] if shown else f"![]({figure[1]}.svg)"
+    @staticmethod
+    def section(heading, text, begin=0):
+        """Where a text has the lines below a heading, up to an empty line or the end of the block."""
+        return re.compile(rf"^{re.escape(heading)}.*?(?=\n*\Z|\n\n|\n```)", re.M | re.S).search(text, begin)
+
+    def new_line(self, line, number, begin):
+        """Where the lesson has this line, and what it is now."""
+        output = re.fullmatch(r"\[\[output (.*)\]\]", line)
         if output:
-            section = re.search(rf"^{re.escape(output[1])}.*?(?=\n*\Z|\n\n)", self.output, re.M | re.S)
-            return section[0] if section else \
+            printed = self.section(output[1], self.output)
+            return self.section(output[1], self.lesson, begin), printed[0] if printed else \
                 self.wrong(number, f"the program prints no line that begins with '{output[1]}'")
-        return re.sub(r"\[\[(.*?)\]\]", lambda found: self.number(found[1], number), line)
+        pattern = ".*?".join(map(re.escape, NAME.split(line)[::2]))
+        return re.compile(f"^{pattern}$", re.M).search(self.lesson, begin), \
+            NAME.sub(lambda found: self.number(found[1], number), line)
 
     def fill(self):
-        lines = Path(self.source).read_text(encoding="utf-8").splitlines()
-        text = "".join(self.filled(line, number) + "\n" for number, line in enumerate(lines, 1))
-        self.errors += [f"{self.source}: does not use the number '{name}'" for name in self.numbers if name not in self.used]
-        return in_formulas(text)
+        parts, end = [], 0
+        for number, line in self.lines():
+            place, new = self.new_line(line, number, end)
+            if place:
+                parts += [self.lesson[end:place.start()], new]
+                end = place.end()
+            else:
+                self.wrong(number, f"{self.path} has no such line, or not in this order: change it in both")
+        self.errors += [f"{self.path}: does not use the number '{name}'" for name in self.numbers if name not in self.used]
+        return in_formulas("".join(parts) + self.lesson[end:])
 
 
 def main():
-    lesson = Lesson(*sys.argv[1:5], marked=sys.argv[5:] == ["marked"])
+    lesson = Lesson(*sys.argv[1:4], marked=sys.argv[4:] == ["marked"])
     sys.stdout.write(lesson.fill())
     print("\n".join(lesson.errors), file=sys.stderr, end="\n" * bool(lesson.errors))
     return 1 if lesson.errors else 0

@@ -9,7 +9,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { lessonNumbers } from "../../../chapters/book/figure.js";
 
-const stems = readdirSync("chapters/lessons").filter((each) => each.endsWith(".md")).map((each) => each.slice(0, -3));
+const stems = [...readFileSync("chapters/lessons/lines.txt", "utf8").matchAll(/^= (.*)/gm)].map(([, stem]) => stem);
 const objectsOf = (folder) => readdirSync(folder, { recursive: true }).filter((each) => each.endsWith(".c") && each !== "main.c")
     .map((each) => join("build", folder, each.replace(/c$/, "o")));
 
