@@ -171,6 +171,10 @@ class Classes(WithFolder):
         self.assertEqual([one.person.key for one in found if one.parts], ["1", "2"])
         self.assertEqual(len({one.folder for one in found}), len(found))
 
+    def test_a_key_that_no_folder_can_have_is_no_obstacle(self):
+        found = self.class_of({"anna/01-corners.c": b"x", "ben/01-corners.c": b"x"}, "name,id\nAnna,1/2\0\nBen,..\n").found
+        self.assertEqual([one.folder for one in found], ["1_2_", "~5ec1f7e700f3"])
+
     def test_a_folder_around_the_class_is_not_a_submission_but_a_student_s_is(self):
         for files, roster, keys in (({"all/anna/01-corners.c": b"x", "all/ben/x": b""}, self.ROSTER, ["1", "2"]),
                                     ({"x/y/Abel_Anna_anna_7/01-corners.c": b"x"}, self.ROSTER, ["1"]),

@@ -124,8 +124,14 @@ class Grade(Sentences):
         for name in ("mirrored", "waits"):
             (folder.with_name("week 2") / name).mkdir(parents=True)
             (folder.with_name("week 2") / name / "05-quadratic.c").write_text(right("05-quadratic"))
-        other = grade(folder.with_name("week 2"), folder.with_name("out of week 2"), POLICY=str(policy))
+        roster = folder.with_name("roster.csv")
+        roster.write_text("name\nmirrored\nwaits\nabsent\n")
+        policy.with_name("came in.csv").write_text("submission,time\nwaits,2025-11-14T22:59Z\n")
+        policy.write_text(policy.read_text() + "times came in.csv\n")
+        other = grade(folder.with_name("week 2"), folder.with_name("out of week 2"), POLICY=str(policy), CLASS=str(roster))
         self.check("a first class without these chapters is marked", other.returncode == 0, other.stderr)
+        self.check("who has no time is named, but not who handed in nothing",
+                   "Without a time, taken as on time: mirrored\n" in other.stderr, other.stderr)
         before = (out / "grades.csv").read_bytes()
         everybody = {path.name: "05-quadratic.c" for path in folder.iterdir()}
         for name in everybody:
