@@ -84,7 +84,7 @@ struct rights {
 enum {
     WRITE_FILE = 1 << 1,
     EXECUTE = 1 << 0 | 1 << 2, // and to read the file
-    READ = EXECUTE | 1 << 3,   // and the folder
+    READ = EXECUTE | 1 << 3,   // and to read the folder
     ALL_1 = (1 << 13) - 1,     // of version 1
     REFER = 1 << 13,           // 2
     TRUNCATE = 1 << 14,        // 3
@@ -137,6 +137,7 @@ static void allow_place(int rules, int place, uint64_t rights)
         give_up("Landlock");
 }
 
+// What is not there needs no right.
 static void allow_path(int rules, const char *path, uint64_t rights)
 {
     int place = open(path, O_PATH | O_CLOEXEC);
@@ -144,22 +145,6 @@ static void allow_path(int rules, const char *path, uint64_t rights)
         return;
     allow_place(rules, place, rights);
     close(place);
-}
-
-// And to execute.
-static void landlock_allow_read(int rules, const char *path)
-{
-    allow_path(rules, path, READ);
-}
-
-static void landlock_allow_all(int rules, const char *path)
-{
-    allow_path(rules, path, all_rights());
-}
-
-static void landlock_allow_program(int rules, int file)
-{
-    allow_place(rules, file, EXECUTE);
 }
 
 static void landlock_end(int rules)
@@ -183,11 +168,6 @@ static void rule(uint32_t action, int call, unsigned count, const struct scmp_ar
         give_up("seccomp");
 }
 
-static void allow(int call)
-{
-    rule(SCMP_ACT_ALLOW, call, 0, NULL);
-}
-
 // These bits of argument n, or its lower 32, are those of the value.
 static struct scmp_arg_cmp bits(unsigned n, uint32_t mask, uint32_t value)
 {
@@ -204,23 +184,8 @@ static void allow_where(int call, struct scmp_arg_cmp argument)
     rule(SCMP_ACT_ALLOW, call, 1, &argument);
 }
 
-static void refuse(int call, int error)
-{
-    rule(SCMP_ACT_ERRNO((uint32_t)error), call, 0, NULL);
-}
-
-static void refuse_as_unknown(int call)
-{
-    refuse(call, ENOSYS);
-}
-
-static void refuse_as_forbidden(int call)
-{
-    refuse(call, EPERM);
-}
-
 // names: of system calls. Some are unknown on this machine, but none is to libseccomp.
-static void call_each(void (*treat)(int call), const char *names)
+static void rule_for_each(uint32_t action, const char *names)
 {
     char name[40];
     for (int length; sscanf(names, " %39s%n", name, &length) == 1; names += length) {
@@ -228,7 +193,7 @@ static void call_each(void (*treat)(int call), const char *names)
         errno = EINVAL;
         if (call == __NR_SCMP_ERROR)
             give_up(name);
-        treat(call);
+        rule(action, call, 0, NULL);
     }
 }
 
@@ -253,13 +218,14 @@ static void allow_answers(int program)
 {
     filter_begin(SCMP_ACT_TRAP);
     seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
-    call_each(allow, "brk munmap mremap exit exit_group rt_sigaction rt_sigprocmask rt_sigreturn "
-                     "sigaltstack arch_prctl set_tid_address set_robust_list rseq");
+    rule_for_each(SCMP_ACT_ALLOW, "brk munmap mremap exit exit_group rt_sigaction rt_sigprocmask "
+                                  "rt_sigreturn sigaltstack arch_prctl set_tid_address "
+                                  "set_robust_list rseq");
     // The C library asks these and does without; an answer learns nothing that differs between
     // runs.
-    call_each(refuse_as_unknown, "newfstatat fstat statx readlink readlinkat lseek getpid gettid "
-                                 "getrandom clock_gettime");
-    refuse(SCMP_SYS(ioctl), ENOTTY);
+    rule_for_each(SCMP_ACT_ERRNO(ENOSYS), "newfstatat fstat statx readlink readlinkat lseek getpid "
+                                          "gettid getrandom clock_gettime");
+    rule_for_each(SCMP_ACT_ERRNO(ENOTTY), "ioctl");
     // What the C library asks for. Others poison memory, or tell what is in it.
     const int advice[] = {MADV_DONTNEED, MADV_FREE};
     for (size_t i = 0; i < sizeof advice / sizeof advice[0]; i++)
@@ -291,15 +257,15 @@ static void allow_answers(int program)
 static void allow_compiler(void)
 {
     filter_begin(SCMP_ACT_ALLOW);
-    call_each(refuse_as_forbidden,
-              "socket socketpair connect bind listen ptrace process_vm_readv "
-              "process_vm_writev pidfd_open pidfd_getfd pidfd_send_signal kcmp mount "
-              "umount2 pivot_root chroot open_tree move_mount fsopen fsmount unshare "
-              "setns setsid bpf perf_event_open userfaultfd io_uring_setup keyctl "
-              "add_key request_key memfd_create open_by_handle_at name_to_handle_at "
-              "mknod mknodat chown fchownat setuid setgid reboot swapon init_module "
-              "finit_module kexec_load sethostname settimeofday clock_settime shmget "
-              "msgget semget mq_open");
+    rule_for_each(SCMP_ACT_ERRNO(EPERM),
+                  "socket socketpair connect bind listen ptrace process_vm_readv "
+                  "process_vm_writev pidfd_open pidfd_getfd pidfd_send_signal kcmp mount "
+                  "umount2 pivot_root chroot open_tree move_mount fsopen fsmount unshare "
+                  "setns setsid bpf perf_event_open userfaultfd io_uring_setup keyctl "
+                  "add_key request_key memfd_create open_by_handle_at name_to_handle_at "
+                  "mknod mknodat chown fchownat setuid setgid reboot swapon init_module "
+                  "finit_module kexec_load sethostname settimeofday clock_settime shmget "
+                  "msgget semget mq_open");
     filter_end();
 }
 
@@ -337,14 +303,6 @@ static _Noreturn void run(char **command, const sigset_t *signals, pid_t watcher
     _exit(126);
 }
 
-// Ends as the command did.
-static _Noreturn void end_like(int status)
-{
-    if (!WIFSIGNALED(status))
-        exit(WEXITSTATUS(status));
-    exit(128 + WTERMSIG(status));
-}
-
 // Runs the command and ends as it does, with all that is left of it; at once if the parent ends,
 // however that ends. parent: the process that wants the command, which may have ended by now.
 static _Noreturn void watch(pid_t parent, char **command)
@@ -373,7 +331,7 @@ static _Noreturn void watch(pid_t parent, char **command)
         for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;)
             if (ended == child) {
                 end_all();
-                end_like(status);
+                exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
             }
     }
 }
@@ -488,7 +446,7 @@ static void start_answers(const char *program)
     close(file);
     if (landlock_version() > 0) {
         int rules = landlock_begin();
-        landlock_allow_program(rules, PROGRAM);
+        allow_place(rules, PROGRAM, EXECUTE);
         landlock_end(rules);
     }
     limit(RLIMIT_CORE, 0, 'c');
@@ -513,13 +471,13 @@ static void allow_places(char **places, char **command)
 {
     if (landlock_version() > 0) {
         int rules = landlock_begin();
-        void (*allow_next)(int, const char *) = landlock_allow_all;
-        allow_next(rules, "/dev/null");
+        uint64_t rights = all_rights();
+        allow_path(rules, "/dev/null", rights);
         for (char **place = places; place < command - 1; place++) {
             if (strcmp(*place, "-") == 0)
-                allow_next = landlock_allow_read;
+                rights = READ;
             else
-                allow_next(rules, *place);
+                allow_path(rules, *place, rights);
         }
         landlock_end(rules);
     }
