@@ -26,8 +26,8 @@ from grade.people.sheets import Sheet, SheetError  # noqa: E402
 from grade.policy import PolicyError, number_in, rounded  # noqa: E402
 from grade.report.figures import by_exercise, handed_in, made_by, percent, scored  # noqa: E402
 from grade.report.files import put, read_record  # noqa: E402
-from grade.report.formats import mark, table  # noqa: E402
-from grade.report.html import page, tag  # noqa: E402
+from grade.report.formats import mark, table as csv_table  # noqa: E402
+from grade.report.html import page, scrolled, table, tag  # noqa: E402
 from grade.report.points import NOTHING, clean_class  # noqa: E402
 from grade.settings import stop  # noqa: E402
 from grade.visible import brief, number, visible, why  # noqa: E402
@@ -134,7 +134,7 @@ def percent_text(there: list, weeks: list[Week], weights: dict | None) -> str:
 def term_csv(weeks: list[Week], weights: dict | None = None) -> str:
     rows = marks_of(weeks)
     known = [field for field in FIELDS if any(person.get(field) for person, *_ in rows)]
-    return table([["name", *known, *(week.name for week in weeks), "sum", "of", "percent", "open"]] + [
+    return csv_table([["name", *known, *(week.name for week in weeks), "sum", "of", "percent", "open"]] + [
         [person["name"], *(person.get(field, "") for field in known), *(mark(record and record["score"]) for record in there),
          mark(rounded(total)), mark(rounded(most)), percent_text(there, weeks, weights), str(still_open(there))] for person, there, total, most in rows])
 
@@ -143,10 +143,7 @@ def term_csv(weeks: list[Week], weights: dict | None = None) -> str:
 
 
 def part(title: str, heads: list, rows: list):
-    return tag("section", tag("h2", title), tag("div", tag(
-        "table", tag("thead", tag("tr", *[tag("th", head, scope="col") for head in heads])),
-        tag("tbody", *[tag("tr", *[cell if not isinstance(cell, str) else tag("td", cell) for cell in row]) for row in rows])),
-        class_="scroll", tabindex="0", role="region", aria_label=title))
+    return tag("section", tag("h2", title), scrolled(title, table(heads, rows)))
 
 
 def week_by_week(weeks: list[Week]):

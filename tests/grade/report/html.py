@@ -47,6 +47,24 @@ def tag(name: str, /, *children, **attributes) -> ElementTree.Element:
     return element
 
 
+def commas(elements: list) -> list:
+    """These, with commas between them."""
+    return [part for element in elements for part in (", ", element)][1:]
+
+
+def table(heads: list, rows: list, caption: str = "", **attributes) -> ElementTree.Element:
+    """heads, and the cells of rows: words, or elements."""
+    def cell(name: str, what, **more):
+        return what if not isinstance(what, str) and what.tag == name else tag(name, what, **more)
+    return tag("table", tag("caption", caption) if caption else None,
+               tag("thead", tag("tr", *[cell("th", head, scope="col") for head in heads])),
+               tag("tbody", *[tag("tr", *[cell("td", what) for what in row]) for row in rows]), **attributes)
+
+
+def scrolled(label: str, wide) -> ElementTree.Element:
+    return tag("div", wide, class_="scroll", tabindex="0", role="region", aria_label=label)
+
+
 def page(title: str, *body) -> str:
     head = tag("head",
                tag("meta", charset="utf-8"),
@@ -113,13 +131,10 @@ def marks(record: dict):
     rows = []
     for stem in record["stems"]:
         odd = stem["state"] if stem["state"] != "judged" else ""
-        rows.append(tag("tr",
-                        tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
-                        tag("td", odd if stem["max"] else "counts nothing", class_="warn" if odd else None),
-                        tag("td", score(stem), decided(stem), class_=share(stem))))
-    heads = [tag("th", "chapter", scope="col"), tag("th", scope="col", aria_label="state"),
-             tag("th", "marks", scope="col")]
-    return tag("table", tag("caption", "Marks by chapter"), tag("thead", tag("tr", *heads)), tag("tbody", *rows))
+        rows.append([tag("a", stem["stem"], href="#" + stem["stem"]),
+                     tag("td", odd if stem["max"] else "counts nothing", class_="warn" if odd else None),
+                     tag("td", score(stem), decided(stem), class_=share(stem))])
+    return table(["chapter", tag("th", scope="col", aria_label="state"), "marks"], rows, "Marks by chapter")
 
 
 def told(stem: dict, function: dict):
@@ -148,12 +163,9 @@ def chapter(stem: dict):
     if stem["file"]:
         inside.append(tag("p", "From ", tag("bdi", stem["file"]), class_="quiet"))
     if stem["state"] == "judged":
-        right = [function for function in stem["functions"] if function["state"] == "right"]
+        right = [tag("code", function["name"]) for function in stem["functions"] if function["state"] == "right"]
         if right:
-            listed = []
-            for function in right:
-                listed += [", " if listed else "", tag("code", function["name"])]
-            inside.append(tag("p", tag("span", "right ", class_="right"), *listed))
+            inside.append(tag("p", tag("span", "right ", class_="right"), *commas(right)))
         others = [one for one in stem["functions"] if one["state"] != "right"]
         # As the student's terminal shows them: wrong before unanswered.
         others.sort(key=lambda one: one["state"] in ("unanswered", "waiting"))
@@ -252,16 +264,13 @@ def lecture_figure(name: str):
 def explain_again(records: list, figures: list):
     items = []
     for made, figure in zip_longest(most_made(records), figures, fillvalue=""):
-        who = []
-        for record in made["who"]:
-            who += [", " if who else "", link(record)]
         where = "; ".join(f"{section or 'no section'}: {len(of_section(made['who'], section))}" for section in sections(records))
         items.append(tag("li", tag("b", f"{len(made['who'])} of {len(handed_in(records))}"),
                          f"  {made['stem']} ", tag("code", made["function"]),
                          tag("p", made["sentence"]),
                          tag("p", where, class_="quiet") if where else None,
                          lecture_figure(figure),
-                         tag("details", tag("summary", "who"), tag("p", *who))))
+                         tag("details", tag("summary", "who"), tag("p", *commas(map(link, made["who"]))))))
     blanks = ", ".join(not_answered(records))
     if not items and not blanks:
         return None
@@ -276,10 +285,8 @@ def exercises(records: list):
     if not found:
         return None
     heads = ["exercise", "everybody", *(section or "no section" for section in sections(records))]
-    rows = [tag("tr", tag("td", f"{stem} ", tag("code", name)), *[tag("td", f"{right} of {of}") for right, of in groups])
-            for stem, name, groups in found]
-    return tag("section", tag("h2", "By exercise"), tag("details", tag("summary", "how many have it right"), tag(
-        "table", tag("thead", tag("tr", *[tag("th", head, scope="col") for head in heads])), tag("tbody", *rows))))
+    rows = [[tag("td", f"{stem} ", tag("code", name)), *[f"{right} of {of}" for right, of in groups]] for stem, name, groups in found]
+    return tag("section", tag("h2", "By exercise"), tag("details", tag("summary", "how many have it right"), table(heads, rows)))
 
 
 def row(record: dict, stems: list, sums: tuple):
@@ -290,22 +297,18 @@ def row(record: dict, stems: list, sums: tuple):
     if words := reason(record):
         name.append(tag("div", words, class_="quiet"))
     cells = [tag("td", number(found[stem]["score"]), decided(found[stem]), class_=share(found[stem]))
-             if stem in found else tag("td", "") for stem in stems]
-    cells += [tag("td", number(record[part])) for part in sums]
-    return tag("tr", tag("td", *name), tag("td", tag("b", number(record["score"]))), *cells)
+             if stem in found else "" for stem in stems]
+    return [tag("td", *name), tag("b", number(record["score"])), *cells, *[number(record[part]) for part in sums]]
 
 
 def everybody(records: list):
     stems = stems_of(records)
     sums = SUM if any(record["penalty"] or record["adjusted"] for record in records) else ()
     most = max((record["max"] for record in records), default=0)
-    heads = [tag("th", tag("abbr", stem[:2], title=stem), scope="col") for stem in stems]
-    heads += [tag("th", {"penalty": "late"}.get(part, part), scope="col") for part in sums]
-    table = tag("table", tag("caption", f"Marks, of {number(most)}, and by chapter"),
-                tag("thead", tag("tr", tag("th", "submission", scope="col"), tag("th", "final", scope="col"), *heads)),
-                tag("tbody", *[row(record, stems, sums) for record in records]))
-    return tag("section", tag("h2", "Everybody"),
-               tag("div", table, class_="scroll", tabindex="0", role="region", aria_label="marks of everybody"))
+    heads = ["submission", "final", *[tag("abbr", stem[:2], title=stem) for stem in stems],
+             *[{"penalty": "late"}.get(part, part) for part in sums]]
+    return tag("section", tag("h2", "Everybody"), scrolled("marks of everybody", table(
+        heads, [row(record, stems, sums) for record in records], f"Marks, of {number(most)}, and by chapter")))
 
 
 def gallery(records: list):
@@ -327,9 +330,7 @@ def gallery(records: list):
 
 def facts(records: list):
     rows = [("class", how_many(records).rstrip(".")), *circumstances(records)]
-    files = []
-    for name in ("grades.csv", "history.csv", "junit.xml"):
-        files += [", " if files else "", tag("a", name, href=address(name))]
+    files = commas([tag("a", name, href=address(name)) for name in ("grades.csv", "history.csv", "junit.xml")])
     rows = [part for name, value in rows for part in (tag("dt", name), tag("dd", value))]
     return tag("dl", *rows, tag("dt", "also"), tag("dd", *files))
 
@@ -339,11 +340,8 @@ def changes(history):
     changed = [[visible(cell) for cell in row] for row in history if len(row) == 6 and row[5] != "marked"][::-1]
     if not changed:
         return None
-    heads = [tag("th", words, scope="col") for words in ("when", "submission", "from", "to", "of", "why")]
-    rows = [tag("tr", *[tag("td", cell) for cell in row]) for row in changed[:CHANGES]]
-    return tag("section", tag("h2", "Changes of marks"),
-               tag("table", tag("caption", "All of them are in history.csv"), tag("thead", tag("tr", *heads)),
-                   tag("tbody", *rows), class_="history"))
+    return tag("section", tag("h2", "Changes of marks"), table(
+        ["when", "submission", "from", "to", "of", "why"], changed[:CHANGES], "All of them are in history.csv", class_="history"))
 
 
 def class_page(records: list, history: list = (), figures: list = ()) -> str:
