@@ -93,8 +93,8 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/instructor.mk $(KIT_C
 # The ten submissions of the instructor's page.
 EXAMPLE_CLASS := build/example-class
 EXAMPLE_BLANKS := build/blanks/01-corners.c build/blanks/03-screen.c
-$(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py $(EXAMPLE_BLANKS)
-	$(Q)rm -rf $@ && python3 -B tests/grade/example/unpack.py $< $@
+$(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py $(EXAMPLE_BLANKS) $(LIST)
+	$(Q)rm -rf $@ && python3 -B tests/grade/example/unpack.py $@
 	$(Q)mkdir $@/blank && cp $(EXAMPLE_BLANKS) $@/blank
 grade: $(filter $(EXAMPLE_CLASS),$(SUBMISSIONS))
 

@@ -25,3 +25,9 @@ def read(program=LIST) -> list:
 def stems(exercises) -> list:
     """Each once, in order."""
     return list(dict.fromkeys(exercise.stem for exercise in exercises))
+
+
+def prototypes(exercises) -> dict[str, dict[str, str]]:
+    """stem -> function -> prototype"""
+    return {stem: {exercise.name: exercise.prototype for exercise in exercises if exercise.stem == stem}
+            for stem in stems(exercises)}

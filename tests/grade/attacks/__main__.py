@@ -190,7 +190,7 @@ def main(words: list) -> int:
             copy_of_the_tree(places["TREE"], secrets)
         secrets["the password file"] = "root:x:0:0"
         for kind in [word for word in words if word in [*KINDS, "none"]] or KINDS:
-            check_kind(kind, places, honest, cases.by_stem(exercises.read()), secrets,
+            check_kind(kind, places, honest, exercises.prototypes(exercises.read()), secrets,
                        [word for word in words if word not in [*KINDS, "none"]])
         if os.environ.get("KEEP"):
             subprocess.run(["cp", "-a", "--", scratch, os.environ["KEEP"]], check=False)

@@ -20,8 +20,7 @@ After the arrow are the statuses that it may get, then, each only if it is so:
                         answers for the functions named here that it does not have, and blanks for the others
     needs WHAT          without it, the attack is left out
 
-Then comes C, in which a function is its head, a colon, and its body, on the same line or indented below it. An
-exercise's function goes by its name alone, and one that returns a vector returns c.up at the end.
+Then comes C as shorthand.py has it; an exercise's function that returns a vector also returns c.up at the end.
 
 A text that includes its contract itself gets no prelude. @TREE@ and the like are replaced by places of this run: an
 attacker is taken to have guessed them.
@@ -34,14 +33,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from grade.exercises import Exercise
+from grade.shorthand import completed, definitions, spelled_out
 
 FOLDER = Path(__file__).resolve().parent
 STATUSES = {"graded", "does not compile", "empty", "timed out", "crashed", "cannot be read", "partly read"}
 KEYS = {"earns", "perhaps", "also", "wrong", "says", "of", "bare", "needs"}
 SECTION = "---- "
-# A function: its name or head, and its body.
-FUNCTION = re.compile(r'^(\w+|[^\n"#;]*\)):(?: (.+))?\n((?: {4}.*\n)*)', re.M)
 
 
 @dataclass
@@ -63,14 +60,6 @@ class Case:
     @property
     def stem(self) -> str:
         return self.head.get("of", "01-corners")
-
-
-def by_stem(exercises: list[Exercise]) -> dict[str, dict[str, str]]:
-    """stem -> function -> prototype"""
-    found: dict = {}
-    for exercise in exercises:
-        found.setdefault(exercise.stem, {})[exercise.name] = exercise.prototype
-    return found
 
 
 def case_of(section: str, file: str) -> Case:
@@ -109,37 +98,15 @@ def expected(case: Case, functions) -> Expected:
     return Expected(case.statuses, named(case, "earns", functions), named(case, "perhaps", functions), says)
 
 
-def blank(prototype: str) -> str:
-    result = re.match(r"(.*?)\w+\(", prototype)[1].strip()
-    body = "NOT_ANSWERED_YET();" if result == "void" else f"return NOT_ANSWERED({result});"
-    return f"\n{prototype}\n{{\n    {body}\n}}\n"
-
-
-def spelled_out(text: str, functions: dict) -> str:
-    """The same as C."""
-    def definition(match: re.Match) -> str:
-        head, body = functions.get(match[1], match[1]), match[3] if match[2] is None else f"    {match[2]}\n{match[3]}"
-        if head is not match[1] and "Camera c" in head and head.startswith("vec3 "):
-            body += "    return c.up;\n"
-        return f"{head}\n{{\n{body}}}\n"
-    return FUNCTION.sub(definition, text)
-
-
-def completed(text: str, functions: dict, given: dict | None = None) -> str:
-    """With an answer, or a blank, for every function that it neither defines nor declares."""
-    text += '\n#include "common/answers.h"\n'
-    for name, prototype in functions.items():
-        if not re.search(rf"^\w[^\n;=]*\b{name}\(", text, re.M):
-            text += (given or {}).get(name) or blank(prototype)
-    return text
+def last_line(prototype: str) -> str:
+    return "    return c.up;\n" if prototype.startswith("vec3 ") and "Camera c" in prototype else ""
 
 
 def answers(case: Case, functions: dict, reference: str) -> dict:
     """FUNCTION -> its definition, for those that are said to be right or wrong."""
-    found = {name: f"{functions[name]}\n{{\n    return c.up;\n}}\n" for name in named(case, "wrong", functions)}
-    for name in {name for key in ("earns", "perhaps", "also") for name in named(case, key, functions)}:
-        found[name] = re.search(rf"^{re.escape(functions[name])}\n.*?^}}\n", reference, re.M | re.S)[0]
-    return found
+    right = {name: functions[name] for key in ("earns", "perhaps", "also") for name in named(case, key, functions)}
+    return {**{name: f"{functions[name]}\n{{\n    return c.up;\n}}\n" for name in named(case, "wrong", functions)},
+            **definitions(reference, right)}
 
 
 def prelude() -> str:
@@ -150,7 +117,7 @@ def prelude() -> str:
 
 
 def handed_in(case: Case, functions: dict, reference: str, places: dict) -> bytes:
-    text, contract = spelled_out(case.text, functions), f'#include "exercises/{case.stem}.h"\n'
+    text, contract = spelled_out(case.text, functions, last_line), f'#include "exercises/{case.stem}.h"\n'
     if "bare" not in case.head:
         if contract not in text:
             text = contract + prelude() + text

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from .cases import Expected, blank, handed_in, read
+from grade.shorthand import blank
+from .cases import Expected, handed_in, read
 
 CORNERS, SCREEN = "01-corners.c", "03-screen.c"
 NOTHING_THERE = Expected({"empty", "cannot be read", "partly read", "graded", "does not compile"})

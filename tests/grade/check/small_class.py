@@ -16,13 +16,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from grade import exercises
+from grade.shorthand import answer, completed, definitions
 from .fixtures import lay, locked, zipped
 
 KIT = os.environ.get("KIT", "build/grading")
 SEED = "20150929"
 STEMS = sorted(path.stem for path in Path("solutions").glob("*.c"))
-UPSIDE_DOWN = "return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;"
+PROTOTYPES = exercises.prototypes(exercises.read())
 MIRRORED = "return c.distance * c.forward + (s - 0.5) * c.width * c.right - (t - 0.5) * c.height * c.up;"
+WAITS = """
+upper_left: return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;
+upper_right: return upper_left(c) + c.width * c.right;
+"""
 
 
 def command(folder: Path, out: Path, kit: Path | str = KIT) -> list[str]:
@@ -98,42 +104,23 @@ def right(stem: str) -> str:
     return Path("solutions", f"{stem}.c").read_text()
 
 
-def definition(text: str, function: str) -> re.Match:
-    return re.search(rf"^\w.* {function}\(.*\)\n{{\n", text, re.M)
-
-
-def up_to(stem: str, function: str) -> str:
-    """The right answers before this one."""
-    return right(stem)[:definition(right(stem), function).start()]
-
-
-def but(stem: str, **bodies: str) -> str:
-    """The right answers, but for these functions."""
-    text = right(stem)
-    for function, body in bodies.items():
-        start = text.index("// BEGIN SOLUTION", definition(text, function).end())
-        text = f"{text[:start]}{body}\n    {text[text.index('// END SOLUTION', start):]}"
-    return text
+def but(stem: str, text: str) -> str:
+    """The right answers, but for these functions, in shorthand."""
+    return completed(answer(stem, text, PROTOTYPES[stem]), PROTOTYPES[stem], definitions(right(stem), PROTOTYPES[stem]))
 
 
 def build_class(folder: Path) -> None:
-    def put(name: str, files: dict[str, str]) -> None:
-        lay(folder / name, {path: text.encode() for path, text in files.items()})
-
-    put("all right", {f"{stem}.c": right(stem) for stem in STEMS})
-    put("mirrored", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED)})
-    put("endless", {"01-corners.c": but("01-corners", upper_left="for (;;) { }")})
-    put("crash", {"01-corners.c": but("01-corners", upper_left="return *(vec3 *)0;")})
-    put("no text", {"01-corners.c": '#include "common/vec3.h"\ndouble x(vec3 v)\n{\n    return v.x;\n}\n', "03-screen.c": right("03-screen")})
-    put("no assembler", {"01-corners.c": '__asm__("no instruction");\n'})
-    put("one function", {"01-corners.c": up_to("01-corners", "upper_right")})
-    put("waits", {"01-corners.c": but("01-corners", upper_left=UPSIDE_DOWN,
-                                      upper_right="return upper_left(c) + c.width * c.right;")})
-    put("waits for a later one", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
-                                                      upper_left="return image_plane_vector(c, 0, 1);")})
-    put("-leading dash 'quote\" newline\n\x1b[31m =ü", {"03-screen.c": right("03-screen")})
-    first, last = (zipped(("01-corners.c", text)) for text in (up_to("01-corners", "upper_right"), right("01-corners")))
-    lay(folder, {"nothing/": b"", "broken.tar.gz": b"no archive", "=1+1<b>.pdf": b"%PDF-1.7\n",
-                 "zipped.zip": zipped(("x/04-pixel-ray.c", right("04-pixel-ray")), ("../../03-screen.c", right("03-screen"))),
-                 "zoe_506_9039_submission.zip": first, "zoe_LATE_506_9040_submission-1.zip": last, "xaver.zip": locked(first),
-                 "read me.txt": b"for the instructor\n"})
+    files = {
+        **{f"all right/{stem}.c": right(stem) for stem in STEMS},
+        "mirrored/01-corners.c": but("01-corners", f"image_plane_vector: {MIRRORED}\nupper_left: return image_plane_vector(c, 0, 1);\n"),
+        "waits/01-corners.c": but("01-corners", WAITS),
+        "no text/01-corners.c": '#include "common/vec3.h"\ndouble x(vec3 v)\n{\n    return v.x;\n}\n',
+        "no text/03-screen.c": right("03-screen"),
+        "no assembler/01-corners.c": '__asm__("no instruction");\n',
+        "-leading dash 'quote\" newline\n\x1b[31m =ü/03-screen.c": right("03-screen"),
+    }
+    first, last = (zipped(("01-corners.c", text)) for text in (but("01-corners", WAITS), right("01-corners")))
+    lay(folder, {path: text.encode() for path, text in files.items()} | {
+        "nothing/": b"", "broken.tar.gz": b"no archive", "=1+1<b>.pdf": b"%PDF-1.7\n", "xaver.zip": locked(first),
+        "zipped.zip": zipped(("x/04-pixel-ray.c", right("04-pixel-ray")), ("../../03-screen.c", right("03-screen"))),
+        "zoe_506_9039_submission.zip": first, "zoe_LATE_506_9040_submission-1.zip": last, "read me.txt": b"for the instructor\n"})

@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -20,8 +21,7 @@ from grade.confine.machine import DISK
 from grade.confine.sandbox import choose
 
 from .fixtures import Sentences
-from .small_class import (KIT, STEMS, UPSIDE_DOWN, at_work_in, but, gone, grade, processes, records, right, rows,
-                          started)
+from .small_class import KIT, STEMS, WAITS, at_work_in, but, gone, grade, processes, records, right, rows, started
 
 HERE = Path(__file__).parent
 FAULTY = HERE / "faulty.sh"
@@ -33,6 +33,7 @@ PASSING = ["the compiler refuses a file once", "the linker refuses a file once",
 SIGNALS = ["TERM", "HUP", "INT", "KILL"]
 FILL = '__asm__(".data\\n.fill 15000000,1,7\\n.text\\n");\n'
 NUMBER_OF_FULL = 10     # points of chapter 01
+ENDLESS = but("01-corners", "upper_left: for (;;) { }\nupper_right: for (;;) { }\n")
 
 
 def faulty_kit(work: Path, always: str = "") -> Path:
@@ -99,7 +100,7 @@ class Faults(Sentences):
     def test_a_step_that_fails_is_no_mark(self) -> None:
         work = self.work
         folder, out = work / "class", work / "out"
-        waits = but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;")
+        waits = but("01-corners", WAITS)
         for fault in FAULTS + PASSING:
             put(folder, fault, f"// fault: {fault}\n{waits if 'lends' in fault else right('01-corners')}")
         put(folder, "nothing is wrong", right("01-corners"))
@@ -188,15 +189,22 @@ class Faults(Sentences):
     def kills_leave_nothing(self, work: Path, sandbox: str) -> None:
         work.mkdir()
         kit = faulty_kit(work)
-        for number, (fault, delay) in enumerate([("the compiler sleeps", 0), ("the compiler sleeps", 0.03),
-                                                 ("the compiler sleeps", 0.3), ("the judge sleeps", 0.3)]):
+        for number, (fault, program, delay) in enumerate([
+                ("the compiler sleeps", "", 0), ("the compiler sleeps", "", 0.03), ("the compiler sleeps", "", 0.3),
+                ("the judge sleeps", "", 0.3), ("an endless answer", "answering", 0)]):
             folder, out = work / f"class{number}", work / f"out{number}"
-            put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
+            # Of many endless ones, one is at work when this looks for it, however seldom that is.
+            for at in range(50 if program else 1):
+                put(folder, str(at), f"// fault: {fault}\n{ENDLESS if program else right('01-corners')}")
             grader = started(folder, out, kit, SANDBOX=sandbox)
-            until = time.monotonic() + 60
-            at_work = out / ".work" / "1-of-1" / "anna"
-            while not at_work.exists() and grader.poll() is None and time.monotonic() < until:
+            found = []
+            while not (found if program else (out / ".work/1-of-1/0").exists()) and grader.poll() is None:
+                found = [status for one in processes() if one.folder.startswith(str(out))
+                         and Path(one.words[0]).name == program and (status := one.status())]
                 time.sleep(0.002)
+            rights = [value for status in found for name, value in status.items() if re.match("Cap(Inh|Prm|Eff|Amb)", name)]
+            self.check(f"under {sandbox} an answer has no capabilities, also if root grades",
+                       bool(rights) == bool(program) and not any(int(value, 16) for value in rights), rights)
             time.sleep(delay)
             was_at_work = grader.poll() is None
             grader.kill()
@@ -226,7 +234,7 @@ class Faults(Sentences):
                     put(folder, name, f"// fault: {fault}\n{right('01-corners')}")
                     wanted[name] = (kind, number)
             name = f"SIG{number} to answering"
-            put(folder, name, but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
+            put(folder, name, ENDLESS)
             wanted[name] = ("answering", number)
         grader = started(folder, out, kit, JOBS="64")
         until = time.monotonic() + 120

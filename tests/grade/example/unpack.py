@@ -1,10 +1,16 @@
-"""unpack.py - lays the files of class.txt into a folder: unpack.py class.txt FOLDER."""
+"""unpack.py - lays the files of class.txt into a folder: unpack.py FOLDER."""
 import re
 import sys
 from pathlib import Path
 
-text, folder = Path(sys.argv[1]).read_bytes().decode(), Path(sys.argv[2])
-for name, words in re.findall(r"^==== (.*)\n((?:(?!==== ).*\n)*)", text, re.M):
-    path = folder / name
+sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found
+
+from grade import exercises  # noqa: E402 - found from there on
+from grade.shorthand import answer  # noqa: E402
+
+prototypes = exercises.prototypes(exercises.read())
+text = Path(__file__).with_name("class.txt").read_text(encoding="utf-8")
+for name, windows, words in re.findall(r"^==== (.*?\.c)(, with Windows' line ends)?\n((?:(?!==== ).*\n)*)", text, re.M):
+    path = Path(sys.argv[1], name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(words.encode())
+    path.write_text(answer(path.stem, words, prototypes[path.stem]), newline="\r\n" if windows else "\n")
