@@ -18,7 +18,7 @@ modules) set -- test_submissions test_folders test_archives test_policy test_mar
 long) set -- test_regrade test_faults test_bombs test_gradescope ;;
 attacks)
     [ "${2:-}" = all ] || set -- bubblewrap exit-in-constructor exit-in-function forged-answer-early include-what-is-there \
-        incbin-reference circle-of-two wait-for-blanks wait-object lend-no- reference- table chance- honest-counting \
+        incbin-reference circle-of-two wait-for-blanks wait-object lend-no- reference- table time-of-day honest-counting \
         honest-latin honest-output honest-pragma honest-printf honest-sorting
     if [ "$1" = attacks ]; then python3 -B tests/grade/attacks; else HERE=1 python3 -B tests/grade/attacks "$@"; fi
     exit
