@@ -21,6 +21,8 @@ import latex_picture
 from jobs import beside_each_other, end_with_programs, run
 
 ALL_STEPS = 1000
+AT_ONCE = 8  # pictures by one gnuplot, which takes as long to begin as to draw one
+SAID = b"\x1e\n"  # between what it says of each
 SOURCES = [Path(__file__), Path(latex_picture.__file__)]
 
 Picture = namedtuple("Picture", "name output format theme shape step")
@@ -57,13 +59,14 @@ def tidy_words(text):
 def finished_svg(svg, words):
     """The SVG that gnuplot has drawn, as one that can be read aloud, and that shows the same everywhere: fonts get a
     family to fall back on; and rings and crosses are hairlines in gnuplot 5.4, whatever their width. A page does the
-    same (chapters/book/finish_figure.js)."""
+    same (chapters/book/figure.js). Groups of nothing go: their colors are those of the picture before."""
     title, _, rest = words.partition("\n")
     title, description = (html.escape(text, quote=False) for text in (title, " ".join(rest.split("\n")).strip()))
     svg = svg.replace("<svg", '<svg role="img" aria-labelledby="title description" xml:space="preserve"', 1)
     svg = svg.replace('font-family="DejaVu Sans"', 'font-family="DejaVu Sans, Verdana, sans-serif"')
     svg = svg.replace('font-family="DejaVu Serif"', 'font-family="DejaVu Serif, Georgia, serif"')
     svg = re.sub(r"(id=.gpPt.*?stroke-width=')[\d.]+", r"\g<1>0.6", svg)
+    svg = re.sub(r"<g fill[^>]*>\n</g>\n", "", svg)
     svg = re.sub(".*<title>.*", lambda _: f'<title id="title">{title}</title>', svg, count=1)
     return re.sub(".*<desc>.*", lambda _: f'<desc id="description">{description}</desc>', svg, count=1)
 
@@ -131,16 +134,25 @@ class Drawing:
             pdf.write_bytes(re.sub(rb"(?<=CreationDate \(D:)\d{14}", b"19700101000000", pdf.read_bytes()))
         drawn.stat()
 
-    def draw(self, picture):
+    def place(self, picture):
+        return self.work / f"{picture.output}.{picture.format}"
+
+    def ask_gnuplot(self, pictures):
+        """One gnuplot draws them all: its exit status, and what it says of each."""
+        command = ["gnuplot", "-d"]
+        for picture in pictures:
+            place = self.place(picture)
+            place.mkdir(exist_ok=True)
+            settings = "; ".join(f"{name}='{getattr(picture, name)}'" for name in ("format", "theme", "shape", "output"))
+            command += ["-e", "reset session", "-e", f"cd '../{place.name}'; {settings}; step={picture.step}",
+                        os.path.relpath(self.home(picture.name) / f"{picture.name}.gp", place),
+                        "-e", 'set print "steps"; print steps; set print; print "\\036"']
+        status, said = run(command, self.place(pictures[0]))
+        return status, said.split(SAID)
+
+    def take(self, picture, status, said):
         """What gnuplot has to say of it, in words; NotDrawn, also with words, if there is no picture."""
-        place = self.work / f"{picture.output}.{picture.format}"
-        place.mkdir()
-        known = self.drawn / f"{picture.name}.words"
-        script = os.path.relpath(self.home(picture.name) / f"{picture.name}.gp", place)
-        settings = "; ".join(f"{name}='{getattr(picture, name)}'" for name in ("format", "theme", "shape", "output"))
-        status, said = run(["gnuplot", "-d", "-e", f"{settings}; step={picture.step}", script,
-                            "-e", 'set print "steps"; print steps'], place)
-        words = ""
+        place, known, words = self.place(picture), self.drawn / f"{picture.name}.words", ""
         # A warning about the data comes with each format; it is printed once.
         if status != 0 or (said and not (known.exists() and known.read_bytes() == said)):
             words = self.complaint(picture.name, said.decode("utf-8", "replace"))
@@ -159,19 +171,29 @@ class Drawing:
                 file.replace(self.home(picture.name) / file.name)
         return words
 
-    def try_to_draw(self, picture):
-        try:
-            return True, self.draw(picture)
-        except NotDrawn as error:
-            return False, str(error)
+    def try_to_draw(self, pictures):
+        """Each with whether it is drawn, and words. gnuplot ends at a fault: then each is drawn on its own."""
+        status, said = self.ask_gnuplot(pictures)
+        if (status != 0 or len(said) <= len(pictures)) and len(pictures) > 1:
+            return [result for picture in pictures for result in self.try_to_draw([picture])]
+        results = []
+        for picture, each in zip(pictures, said):
+            try:
+                results.append((picture, True, self.take(picture, status, each)))
+            except NotDrawn as error:
+                results.append((picture, False, str(error)))
+        return results
 
     def draw_all(self, pictures):
         """Draws those that are not drawn yet; how many these are."""
         pictures = [picture for picture in pictures if not self.is_drawn(picture)]
-        for picture, (drawn, words) in beside_each_other("figures", self.try_to_draw, pictures):
-            self.messages.append(words)
-            if not drawn:
-                self.failed.add(picture.name)
+        size = max(1, min(AT_ONCE, len(pictures) // (2 * os.cpu_count())))
+        batches = [pictures[i:i + size] for i in range(0, len(pictures), size)]
+        for _, results in beside_each_other("figures", self.try_to_draw, batches, len):
+            for picture, drawn, words in results:
+                self.messages.append(words)
+                if not drawn:
+                    self.failed.add(picture.name)
         return len(pictures)
 
     def begin(self, name):

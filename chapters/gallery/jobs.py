@@ -29,22 +29,25 @@ def run(command, folder=None):
     return process.returncode, said
 
 
-def beside_each_other(what, work, jobs):
+def beside_each_other(what, work, jobs, count=lambda job: 1):
     """Calls work(job) for each job, and yields (job, result) as soon as there is one. On a terminal a line about
-    'what' shows the progress after a second; a log gets a line after two seconds, and then one every ten."""
+    'what' shows the progress after a second; a log gets a line after two seconds, and then one every ten. A job counts
+    as 'count(job)' of what is done."""
     began, said = time.monotonic(), None
     terminal = sys.stderr.isatty()
     pool = ThreadPoolExecutor(os.cpu_count())
     try:
         futures = {pool.submit(work, job): job for job in jobs}
-        for done, future in enumerate(as_completed(futures), 1):
+        total, done = sum(map(count, jobs)), 0
+        for future in as_completed(futures):
+            done += count(futures[future])
             yield futures[future], future.result()
             now = time.monotonic() - began
             first, then = (1, 0.5) if terminal else (2, 10)
             if now >= first if said is None else now - said >= then:
                 said = now
-                line = f"  {what:9} {100 * done // len(futures)} % ({done} of {len(futures)}), " \
-                       f"about {duration(now * (len(futures) - done) / done)} left"
+                line = f"  {what:9} {100 * done // total} % ({done} of {total}), " \
+                       f"about {duration(now * (total - done) / done)} left"
                 print(f"\r{line}\033[K" if terminal else line, end="" if terminal else "\n", file=sys.stderr, flush=True)
     finally:
         pool.shutdown(cancel_futures=True)
