@@ -53,7 +53,7 @@ $(foreach figure,$(OWN_WANTED),$(call read_data,$(figure))$(call check_own,$(fig
 # only if their script has changed. The options of the first line are words, not commands.
 OWN_SCRIPTS := $(foreach figure,$(OWN_WANTED),$(DRAWN_FIGURES)/$(figure)/$(figure).gp)
 OWN_PROGRAMS := $(sort $(foreach figure,$(OWN_WANTED),$(patsubst %.c,$(BUILT)/own-figures/%,$(filter %.c,$(DATA_OF_$(figure))))))
-own_program = $(or $(patsubst %.c,$(BUILT)/own-figures/%,$(filter %.c,$(DATA_OF_$(1)))),$(BUILT)/$(call stem_of,$(DATA_OF_$(1))))
+own_program = $(or $(patsubst %.c,$(BUILT)/own-figures/%,$(filter %.c,$(DATA_OF_$(1)))),$(call program_of,$(DATA_OF_$(1))))
 print_own = $(if $(filter %.c,$(DATA_OF_$(*F))),$< --layout $(call own_layout,$(*F)) --figure $(basename $(DATA_OF_$(*F))), \
 	sed -n '1s/^$(hash) data: *//p' $(call own_layout,$(*F)) | NOT_YET=$(@D) xargs $< --layout $(call own_layout,$(*F)) --figure)
 $(OWN_SCRIPTS): $(DRAWN_FIGURES)/%.gp: $$(call own_program,$$(*F)) FORCE
@@ -73,6 +73,7 @@ script_of = $(foreach name,$(2),$(1)/$(name)/$(name).gp)
 SCRIPTS := $(call script_of,$(DRAWN_FIGURES),$(FIGURE_NAMES))
 layout_of = $(filter %/$(1).gp,$(LAYOUTS))
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
+program_of = $(BUILT)/$(or $(FIGURES_OF_$(stem_of)),$(stem_of))
 figure_files = $(call layout_of,$(1)) $(WORDS) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
@@ -107,7 +108,7 @@ remove_older = find $(BUILT)/figures/*/*.gp $(BUILT)/animations/*/*.gp $(BUILT)/
 # A figure that calls an answer that is missing is not drawn: its program says so in one line (NOT_YET,
 # common/answers.h), and no older figure is left in its place. Below a wrong figure is what the judge says of the
 # answers that it calls.
-$(SCRIPTS): $(DRAWN_FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F)) \
+$(SCRIPTS): $(DRAWN_FIGURES)/%.gp: $$(call program_of,$$(*F)) $$(call figure_files,$$(*F)) \
 		$(if $(RIGHT),$$(call right_script_of,$$(*F)) $$(RECORDS))
 	$(Q)mkdir -p $(@D)
 	$(Q)$(if $(RIGHT),$(beside_right),$(SAY_WORDS) $< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script))

@@ -9,6 +9,21 @@ $(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
 $(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
 $(RANDOM:%=$(B)/scenes/%.nff): ARGUMENTS = $(*:random-%=%)
 
+# Where there are engines, the figure is printed by a program without them: a site compiles none of them.
+ifneq ($(wildcard chapters/08-fast/engines/.),)
+FIGURES_OF_$(ENGINE_CHAPTER) := rectangles
+WITHOUT_ENGINES := $(B)/chapters/$(ENGINE_CHAPTER)/without_engines.o
+$(WITHOUT_ENGINES): chapters/08-fast/main.c $(B)/flags.mk
+	$(call say,compile,$< without engines)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -DWITHOUT_ENGINES -o $@ $<
+$(BUILT)/rectangles: $(WITHOUT_ENGINES) $(patsubst %,$(B)/chapters/08-fast/%.o,rectangles figures/figures) \
+		$(ANSWER_OBJECTS) $(ANSWERS_CALLED) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) $(NOTE_CALLS) -o $@ $^ $(PNG_LIBS) -lm
+endif
+
 # The gallery's large pictures, with shadows and mirrors. A handout has no engines, and none of them.
 ifneq ($(wildcard chapters/08-fast/engines/.),)
 SHADED_PICTURES := $(patsubst %,$(GALLERY)/shaded-%.png,sphereflake-7381 sunflower)
