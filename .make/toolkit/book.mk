@@ -216,16 +216,23 @@ book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(S
 
 # ---- the pages: lessons, exercises, figures, and the JavaScript that they load -------------------
 
-# Packages of npm are fetched while the site is built, into build/npm; a page itself fetches nothing from elsewhere.
+# Packages of npm are fetched while the site is built, into build/npm; a page itself fetches nothing from elsewhere. Those
+# that only tests need are added by the first of these.
 BOOK_SOURCES := chapters/book
 NPM := build/npm
-BOOK_PACKAGES := $(NPM)/node_modules/.package-lock.json
+BOOK_PACKAGES := $(NPM)/for-pages
+BOOK_TEST_PACKAGES := $(NPM)/for-tests
+fetch_packages = cd $(NPM) && npm $(1) --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log || { cat npm.log >&2; exit 1; }
 $(BOOK_PACKAGES): $(BOOK_SOURCES)/package.json $(BOOK_SOURCES)/package-lock.json
 	@command -v npm >/dev/null || { echo "make book needs node and npm: 'make setup FOR=book' installs them" >&2; exit 1; }
 	$(call say,fetch,packages of npm for the page)
 	$(Q)mkdir -p $(NPM) && cp $^ $(NPM)/
-	$(Q)cd $(NPM) && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log || { cat npm.log >&2; exit 1; }
+	$(Q)$(call fetch_packages,ci --omit=dev)
 	@ln -sfn ../../$(NPM)/node_modules $(BOOK_SOURCES)/node_modules
+	@touch $@
+$(BOOK_TEST_PACKAGES): $(BOOK_PACKAGES)
+	$(call say,fetch,packages of npm for its tests)
+	$(Q)$(call fetch_packages,install --no-save --include=dev)
 	@touch $@
 
 # HAND_IN=address: where a class hands in; the start page links to it.
@@ -295,7 +302,7 @@ browsers-are-here:
 		[ -n "$$found" ] || { echo "check-book: $$browser is missing: 'make setup FOR=contributor' installs it" >&2; exit 1; }; done
 .PHONY: browsers-are-here
 ifeq ($(FROM),)
-check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ##+ tests of the course in a page, with real browsers
+check-book: browsers-are-here book $(BOOK_TEST_PACKAGES) $(PAGE) $(call FOR_JUDGING,$(STEMS)) ##+ tests of the course in a page, with real browsers
 	@node tests/proof/book/verdicts.mjs $(BOOK) .
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
 	@running=; for browser in $(BROWSERS); do \
@@ -305,7 +312,7 @@ check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ##+ test
 	done; failed=0; for one in $$running; do wait $$one || failed=1; done; exit $$failed
 else
 # The verdicts are those of the handout in a terminal, and nothing of a solution is in any file.
-check-book: browsers-are-here book
+check-book: browsers-are-here book $(BOOK_TEST_PACKAGES)
 	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
 	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
 	@node tests/proof/book/verdicts.mjs $(BOOK) $(BOOK_ROOT)
@@ -313,7 +320,7 @@ check-book: browsers-are-here book
 endif
 .PHONY: check-book
 
-bench-book: book ##+ the course in a page, measured: times, frames a second (BROWSER=firefox, MBIT=10)
+bench-book: book $(BOOK_TEST_PACKAGES) ##+ the course in a page, measured: times, frames a second (BROWSER=firefox, MBIT=10)
 	@node tests/benches/book.mjs $(BOOK) $(or $(MBIT),10)
 .PHONY: bench-book
 
