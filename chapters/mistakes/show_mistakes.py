@@ -18,8 +18,10 @@ import subprocess
 import sys
 import textwrap
 from collections import namedtuple
+from functools import cache
 from pathlib import Path
 from random import Random
+from tempfile import TemporaryDirectory
 
 HERE = Path(__file__).parent
 PROGRAM_TIME = 60  # seconds: a mistake may never come to an end
@@ -66,18 +68,25 @@ def run(*command):
     return done.stdout if done.returncode == 0 else None
 
 
+@cache
+def right_picture(program, scene):
+    """In bytes: cast once for all mistakes."""
+    with TemporaryDirectory() as folder:
+        picture = Path(folder) / "right.png"
+        run(program, -1, "-o", picture, "-s", SIZE, *scene)
+        return picture.read_bytes()
+
+
 def casts(build, mistake, folder):
-    """The pictures by the mistake, yours-KIND.png, and right-KIND.png; those that differ."""
-    differing = []
+    """The pictures by the mistake, yours-KIND.png, and right-KIND.png; those that differ, one after the other."""
     for kind, stem, scene in PICTURES:
-        for who, number in (("right", -1), ("yours", mistake.number)):
-            picture = folder / f"{who}-{kind}.png"
-            picture.unlink(missing_ok=True)
-            run(build / "tests/mistaken" / stem, number, "-o", picture, "-s", SIZE, *scene)
         yours, right = (folder / f"{who}-{kind}.png" for who in ("yours", "right"))
+        yours.unlink(missing_ok=True)
+        program = build / "tests/mistaken" / stem
+        right.write_bytes(right_picture(program, scene))
+        run(program, mistake.number, "-o", yours, "-s", SIZE, *scene)
         if yours.exists() and yours.read_bytes() != right.read_bytes():
-            differing.append(kind)
-    return differing
+            yield kind
 
 
 def scripts(build, mistake, folder):
@@ -140,7 +149,7 @@ def show(build, name):
     folder = build / "mistakes" / name.replace("/", "-")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    kinds, figures = casts(build, mistake, folder), scripts(build, mistake, folder)
+    kinds, figures = list(casts(build, mistake, folder)), scripts(build, mistake, folder)
     if figures:
         draw(folder, figures)
     body = f"<p>{html.escape(mistake.words)}</p>\n"
@@ -158,7 +167,7 @@ def list_all(build):
     for name in names():
         mistake, folder = find(mistakes, name), build / "mistakes/pictures" / name
         folder.mkdir(parents=True, exist_ok=True)
-        kinds = casts(build, mistake, folder)
+        kinds = list(casts(build, mistake, folder))
         body += f"<h2>{name}</h2>\n<p>{html.escape(mistake.words)}</p>\n"
         body += pair(f"pictures/{name}/", kinds[0]) if kinds else "<p>It is in figures, and in no picture.</p>\n"
         body += f"<p><code>make mistake NAME={name}</code></p>\n"
@@ -202,7 +211,7 @@ def asked(mistakes):
 def question(wrong, right, number, folder, build):
     """A slide: two pictures, four lines to choose from; then which it was, and why."""
     function = wrong[0].function
-    kind = casts(build, wrong[0], folder)[0]
+    kind = next(casts(build, wrong[0], folder))
     name = f"ask-{number}-{function.replace('_', '-')}"
     for who in ("right", "yours"):
         (folder / f"{who}-{kind}.png").replace(folder / f"{name}-{who}.png")
