@@ -78,8 +78,21 @@ draws_nothing() {
     PATH=$scratch/bin:$PATH FORMAT=svg python3 chapters/gallery/draw_figures.py "$scratch/figures" figure >"$scratch/said" 2>&1
     [ $? -eq 1 ] && says 'could not be made of what gnuplot drew' && says_not 'Figures: 1'
 }
+# One gnuplot draws several, and ends at a fault.
+draws_the_others() {
+    rm -rf "$scratch/figures" && mkdir "$scratch/figures"
+    for name in one two three four; do
+        mkdir "$scratch/figures/$name" && cp "$script" "$scratch/figures/$name/$name.gp"
+    done
+    echo 'if (step == 1 && dark) plot nothing' >>"$scratch/figures/three/three.gp"
+    FORMAT=svg STEPS=1 python3 chapters/gallery/draw_figures.py "$scratch/figures" one two three four >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && says 'undefined variable: nothing' && [ "$(grep -c 'gnuplot:' "$scratch/said")" -eq 1 ] &&
+        [ -e "$scratch/figures/three/three-step1.svg" ] && [ ! -e "$scratch/figures/three/three-step1-dark.svg" ] &&
+        [ "$(find "$scratch/figures" -name '*.svg' | wc -l)" -eq $((4 * $(find "$scratch/figures/one" -name '*.svg' | wc -l) - 1)) ]
+}
 if command -v gnuplot >/dev/null; then
     check 'pictures that were not drawn are not counted' draws_nothing
+    check 'a picture that cannot be drawn is named, and the others are drawn' draws_the_others
 fi
 
 # ---- setup ----------------------------------------------------------------------------------------
