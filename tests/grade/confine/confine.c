@@ -32,6 +32,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/param.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -408,9 +409,9 @@ static int room_for(int processes)
 // ---- what is started ----------------------------------------------------------------------------
 
 // option: of the shell's ulimit
-static void limit(__rlimit_resource_t what, rlim_t most, char option)
+static void limit_both(__rlimit_resource_t what, rlim_t soft, rlim_t hard, char option)
 {
-    struct rlimit limits = {most, most};
+    struct rlimit limits = {soft, hard};
     if (setrlimit(what, &limits) == 0)
         return;
     char words[80];
@@ -418,13 +419,9 @@ static void limit(__rlimit_resource_t what, rlim_t most, char option)
     give_up(words);
 }
 
-// Shared machines allow fewer.
-static void limit_processes(rlim_t most)
+static void limit(__rlimit_resource_t what, rlim_t most, char option)
 {
-    struct rlimit limits;
-    if (getrlimit(RLIMIT_NPROC, &limits) != 0)
-        give_up("getrlimit");
-    limit(RLIMIT_NPROC, limits.rlim_max < most ? limits.rlim_max : most, 'u');
+    limit_both(what, most, most, option);
 }
 
 // In a container without bubblewrap the grader is often root. Without new privileges a program that
@@ -490,11 +487,11 @@ static void start_compiler(char **places, char **command)
     limit(RLIMIT_FSIZE, COMPILE_FILE, 'f');
     limit(RLIMIT_AS, COMPILE_MEMORY, 'v');
     // At the lower one the signal says what it is for; SIGKILL would not.
-    limit(RLIMIT_CPU, COMPILE_SECONDS + 1, 't');
-    struct rlimit work = {COMPILE_SECONDS, COMPILE_SECONDS + 1};
-    if (setrlimit(RLIMIT_CPU, &work) != 0)
-        give_up("setrlimit");
-    limit_processes(COMPILE_PROCESSES);
+    limit_both(RLIMIT_CPU, COMPILE_SECONDS, COMPILE_SECONDS + 1, 't');
+    struct rlimit processes; // shared machines allow fewer
+    if (getrlimit(RLIMIT_NPROC, &processes) != 0)
+        give_up("getrlimit");
+    limit(RLIMIT_NPROC, MIN(processes.rlim_max, (rlim_t)COMPILE_PROCESSES), 'u');
     limit(RLIMIT_NOFILE, 64, 'n');
     allow_compiler();
     execv(command[0], command);
@@ -522,13 +519,12 @@ int main(int argc, char **argv)
     char **command = argv + (argc > 0 ? 1 : 0);
     while (*command != NULL && strcmp(*command, "--") != 0)
         command++;
-    bool answer = argc == 3 && strcmp(mode, "answer") == 0;
     bool has_command = *command != NULL && command[1] != NULL;
-    bool watched = strcmp(mode, "watch") == 0 && has_command && command == argv + 3;
+    if (strcmp(mode, "watch") == 0 && has_command && command == argv + 3)
+        watch(atoi(argv[2]), command + 1);
+    bool answer = argc == 3 && strcmp(mode, "answer") == 0;
     bool compile = argc > 4 && strcmp(mode, "compile") == 0 && has_command;
     bool judge = argc > 4 && strcmp(mode, "judge") == 0 && has_command;
-    if (watched)
-        watch(atoi(argv[2]), command + 1);
     if (!answer && !compile && !judge) {
         fprintf(stderr, "Usage: confine answer PROGRAM | compile | judge WRITABLE... - READABLE... "
                         "-- PROGRAM ARGUMENT... | watch PARENT -- PROGRAM ARGUMENT... | "
