@@ -5,7 +5,7 @@ import time
 import unittest
 from unittest import mock
 
-from grade.collect import answers, folders, streams
+from grade.collect import answers, archives, folders, streams
 from grade.confine.machine import GraderFailed
 from .fixtures import FIVE, ONE, Scratch
 
@@ -143,7 +143,7 @@ class Folder(Scratch):
         self.put("05-quadratic.c")
         self.put("many/01-corners.c")
         self.lay({f"anna/many/{i}": b"" for i in range(200)})
-        with mock.patch.object(folders, "ENTRIES", 200):
+        with mock.patch.object(archives, "ENTRIES", 200):
             collected = self.collect()
         self.assertEqual(collected.answers["05-quadratic"].state, "found")
         self.assertEqual(collected.answers["01-corners"].state, "missing")

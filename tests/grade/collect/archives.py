@@ -17,6 +17,7 @@ from grade.visible import brief, why
 from . import answers, streams
 from .streams import Enough, opened_file
 
+ENTRIES = 20000             # of folders
 MEMBERS = 50000
 KEPT = 64 * 1024 * 1024     # bytes of answers, and of archives inside
 STREAM = 512 * 1024 * 1024  # bytes that are decompressed: a copy of the toolkit with all that was built
@@ -35,6 +36,7 @@ class Room:
     opener: object = None   # how a program that unpacks is started: a command to a command
     kept: int = field(default_factory=lambda: KEPT)
     stream: int = field(default_factory=lambda: STREAM)
+    entries: int = field(default_factory=lambda: ENTRIES)
     members: int = field(default_factory=lambda: MEMBERS)
     archives: int = field(default_factory=lambda: ARCHIVES)
     waiting: deque = field(default_factory=deque)   # (parts, bytes, level)
@@ -48,6 +50,11 @@ class Room:
         self.stream -= size
         if self.stream < 0:
             raise Enough(f"decompresses to more than {STREAM >> 20} MB; no more was read")
+
+    def look_at(self, entries: int) -> None:
+        self.entries -= entries
+        if self.entries < 0:
+            raise Enough(f"holds more than {ENTRIES} entries; no more were looked at")
 
     def member(self) -> None:
         self.members -= 1
@@ -64,10 +71,6 @@ class Place:
 
 def is_called_one(base: str) -> bool:
     return base.lower().endswith(SUFFIXES) and not base.startswith("._")
-
-
-def room_for_more(room: Room) -> int:
-    return max(room.kept, 0)
 
 
 def put_by(search, room: Room, parts, raw: bytes, level: int) -> bool:
@@ -111,7 +114,7 @@ def read_member(search, room: Room, place: Place, parts, size: int, read) -> Non
         if place.level == LEVELS:
             put_by(search, room, parts, b"", place.level + 1)   # which says why it is not opened
         else:
-            put_by(search, room, parts, read(room_for_more(room) + 1), place.level + 1)
+            put_by(search, room, parts, read(max(room.kept, 0) + 1), place.level + 1)
         return
     if size > answers.LARGEST:
         answers.unreadable(search, parts, f"is larger than {answers.LARGEST // 1024} KB", place.level)

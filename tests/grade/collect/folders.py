@@ -15,9 +15,7 @@ from . import answers, archives
 from .streams import Enough, opened_file
 from .names import decoded
 
-ENTRIES = 20000
 DEPTH = 50
-TOTAL = 64 * 1024 * 1024  # bytes read, of all answers together
 DIRECTORY = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 NOT_LOOKED_AT = (b"__MACOSX", b".git")
 
@@ -39,28 +37,27 @@ def opened_folder(root: int, parts) -> int:
     return folder
 
 
-def put_by(search, folder: int, parts, entry, inner) -> None:
+def put_by(search, folder: int, parts, entry, room) -> None:
     """An archive among the files: read now, opened later."""
     if entry.is_symlink() or not entry.is_file(follow_symlinks=False):
         return
     try:
-        raw, when = read(entry.name, folder, archives.room_for_more(inner))
+        raw, when = read(entry.name, folder, max(room.kept, 0))
     except OSError as error:
         answers.not_read(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
         return
-    if archives.put_by(search, inner, parts, raw, 1):
+    if archives.put_by(search, room, parts, raw, 1):
         answers.written(search, when)
 
 
-def look_at(search, folder: int, parts, entry, inner) -> int:
-    """One entry that is not a folder. Returns how many bytes were read of it."""
+def look_at(search, folder: int, parts, entry, room) -> None:
+    """One entry that is not a folder."""
     if not answers.stem_of(search, parts[-1]):
         answers.passed(search, parts)
         if archives.is_called_one(parts[-1]):
-            put_by(search, folder, parts, entry, inner)
+            put_by(search, folder, parts, entry, room)
         answers.bystander(search, parts)
-        return 0
-    if entry.is_symlink():
+    elif entry.is_symlink():
         answers.no_file(search, parts, answers.NOT_FOLLOWED)
     elif not entry.is_file(follow_symlinks=False):
         answers.no_file(search, parts, "neither a file nor a folder, not opened")
@@ -69,22 +66,19 @@ def look_at(search, folder: int, parts, entry, inner) -> int:
             raw, when = read(entry.name, folder)
         except OSError as error:
             answers.unreadable(search, parts, f"cannot be read: {why(error)}")
-            return 0
+            return
         answers.found(search, parts, raw)
         if not answers.is_toolkit_s(search, parts):
             answers.written(search, when)
-        return len(raw)
-    return 0
+        room.keep(len(raw))
 
 
-def look_in(search, folder: int, parts, left: dict, inner) -> list:
+def look_in(search, folder: int, parts, room) -> list:
     """All entries of one folder; the folders among them."""
     with os.scandir(folder) as listing:
-        here = list(islice(listing, left["entries"] + 1))
+        here = list(islice(listing, room.entries + 1))
     # All of a folder or nothing: which of its entries come first is chance.
-    left["entries"] -= len(here)
-    if left["entries"] < 0:
-        raise Enough(f"holds more than {ENTRIES} entries; no more were looked at")
+    room.look_at(len(here))
     below = []
     for entry in sorted(here, key=lambda entry: os.fsencode(entry.name)):
         name = os.fsencode(entry.name)
@@ -93,9 +87,7 @@ def look_in(search, folder: int, parts, left: dict, inner) -> list:
         if entry.is_dir(follow_symlinks=False):
             below.append(parts + (name,))
             continue
-        left["bytes"] -= look_at(search, folder, [*map(decoded, parts), decoded(name)], entry, inner)
-        if left["bytes"] < 0:
-            raise Enough(f"holds more than {TOTAL >> 20} MB of answers; no more were read")
+        look_at(search, folder, [*map(decoded, parts), decoded(name)], entry, room)
     # Where exercises/ are, its neighbours may be the toolkit's own, which are not looked at.
     return sorted(below, key=lambda path: path[-1] != b"exercises")
 
@@ -103,8 +95,7 @@ def look_in(search, folder: int, parts, left: dict, inner) -> list:
 def look(search, path: bytes, opener=None) -> None:
     root = os.open(path, DIRECTORY)
     waiting = deque([()])
-    left = {"entries": ENTRIES, "bytes": TOTAL}
-    inner = archives.Room(opener)
+    room = archives.Room(opener)
     try:
         while waiting:
             parts = waiting.popleft()
@@ -115,14 +106,14 @@ def look(search, path: bytes, opener=None) -> None:
             try:
                 folder = opened_folder(root, parts)
                 try:
-                    waiting.extend(look_in(search, folder, parts, left, inner))
+                    waiting.extend(look_in(search, folder, parts, room))
                 finally:
                     os.close(folder)
             except OSError as error:
                 must_be_its_own(error)
                 place = answers.place_of(map(decoded, parts)) or "the folder"
                 answers.not_read(search, f"{place} cannot be read: {why(error)}")
-        archives.look_in_waiting(search, inner)
+        archives.look_in_waiting(search, room)
     except Enough as enough:
         answers.ended_early(search, str(enough))
     finally:
