@@ -94,7 +94,7 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/instructor.mk $(KIT_C
 EXAMPLE_CLASS := build/example-class
 EXAMPLE_BLANKS := build/blanks/01-corners.c build/blanks/03-screen.c
 $(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py $(EXAMPLE_BLANKS) $(LIST)
-	$(Q)rm -rf $@ && python3 -B tests/grade/example/unpack.py $@
+	$(Q)rm -rf $@ && PYTHONPATH=tests python3 -B -m grade.example.unpack $@
 	$(Q)mkdir $@/blank && cp $(EXAMPLE_BLANKS) $@/blank
 grade: $(filter $(EXAMPLE_CLASS),$(SUBMISSIONS))
 
@@ -109,14 +109,14 @@ grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 grade-set: override export COMMENT := $(value COMMENT)
 grade-set: override export WHO := $(value WHO)
 grade-set: $(LIST) ## a decision: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
-	@python3 -B tests/grade/people/decide.py
+	@PYTHONPATH=tests python3 -B -m grade.people.decide
 return: $(LIST) ## marks for a platform: FOR=moodle GRADES=worksheet.csv
-	@python3 -B tests/grade/people/hand_back.py
+	@PYTHONPATH=tests python3 -B -m grade.people.hand_back
 
 term: ## the weeks of a term beside each other: WEEKS=folder
-	@python3 -B tests/grade/people/term.py
+	@PYTHONPATH=tests python3 -B -m grade.people.term
 similar: $(LIST) $(BLANKS) ## who agrees in an unusual way: OUT/similar.html
-	@python3 -B tests/grade/people/similar.py
+	@PYTHONPATH=tests python3 -B -m grade.people.similar
 
 # What git tracks, with the changes in the working tree; at its root the programs that Gradescope starts.
 GRADESCOPE := build/gradescope.zip

@@ -58,9 +58,9 @@ class Returned(WithFolder):
         remember(records, self.out)
 
     def command(self, platform, **settings) -> tuple:
-        environment = {**os.environ, "FOR": platform, "SUBMISSIONS": str(self.room), "CLASS": str(self.list), "OUT": str(self.out)}
+        environment = {**os.environ, "PYTHONPATH": "tests", "FOR": platform, "SUBMISSIONS": str(self.room), "CLASS": str(self.list), "OUT": str(self.out)}
         environment.update({name: str(value) for name, value in settings.items()})
-        return [sys.executable, "-B", "tests/grade/people/hand_back.py"], environment
+        return [sys.executable, "-B", "-m", "grade.people.hand_back"], environment
 
     def hand_back(self, platform, **settings) -> str:
         words, environment = self.command(platform, **settings)

@@ -3,10 +3,8 @@ import re
 import sys
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found
-
-from grade import exercises  # noqa: E402 - found from there on
-from grade.shorthand import answer  # noqa: E402
+from grade import exercises
+from grade.shorthand import answer
 
 prototypes = exercises.prototypes(exercises.read())
 text = Path(__file__).with_name("class.txt").read_text(encoding="utf-8")

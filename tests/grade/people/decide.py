@@ -5,19 +5,16 @@
 Nothing is marked: the next 'make grade' counts it in.
 """
 import os
-import sys
 import time
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
-
-from grade import exercises  # noqa: E402 - found from there on
-from grade.people.matching import ClassList, marked_class  # noqa: E402
-from grade.people.ledger import KINDS, add_decision  # noqa: E402
-from grade.people.roster import Roster  # noqa: E402
-from grade.people.sheets import SheetError  # noqa: E402
-from grade.settings import stop  # noqa: E402
-from grade.visible import why  # noqa: E402
+from grade import exercises
+from grade.people.matching import ClassList, marked_class
+from grade.people.ledger import KINDS, add_decision
+from grade.people.roster import Roster
+from grade.people.sheets import SheetError
+from grade.settings import stop
+from grade.visible import why
 
 
 def main() -> None:

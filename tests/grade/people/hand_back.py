@@ -17,27 +17,24 @@ import html
 import io
 import os
 import re
-import sys
 import zipfile
 from fractions import Fraction
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
-
-from grade import exercises  # noqa: E402 - found from there on
-from grade.collect.names import decoded  # noqa: E402
-from grade.collect.platforms import CANVAS, MOODLE, Claim  # noqa: E402
-from grade.people.history import members  # noqa: E402
-from grade.people.ledger import Ledger, read_ledger  # noqa: E402
-from grade.people.matching import Finder, class_of  # noqa: E402
-from grade.people.roster import Roster  # noqa: E402
-from grade.people.sheets import Sheet, SheetError  # noqa: E402
-from grade.policy import rounded  # noqa: E402
-from grade.report.files import put, read_record  # noqa: E402
-from grade.report.formats import table  # noqa: E402
-from grade.report.points import NOTHING, reason  # noqa: E402
-from grade.settings import as_last_time, stop  # noqa: E402
-from grade.visible import brief, number, visible, why  # noqa: E402
+from grade import exercises
+from grade.collect.names import decoded
+from grade.collect.platforms import CANVAS, MOODLE, Claim
+from grade.people.history import members
+from grade.people.ledger import Ledger, read_ledger
+from grade.people.matching import Finder, class_of
+from grade.people.roster import Roster
+from grade.people.sheets import Sheet, SheetError
+from grade.policy import rounded
+from grade.report.files import put, read_record
+from grade.report.formats import table
+from grade.report.points import NOTHING, reason
+from grade.settings import as_last_time, stop
+from grade.visible import brief, number, visible, why
 
 PLATFORMS = ("moodle", "canvas", "gradescope", "blackboard", "folder")
 PAGE = "feedback.html"

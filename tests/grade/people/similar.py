@@ -21,14 +21,12 @@ from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
-
-from grade import exercises  # noqa: E402 - found from there on
-from grade.people.history import members  # noqa: E402
-from grade.report.files import answers_of, put, read_record  # noqa: E402
-from grade.report.html import page, tag  # noqa: E402
-from grade.settings import stop  # noqa: E402
-from grade.visible import visible, why  # noqa: E402
+from grade import exercises
+from grade.people.history import members
+from grade.report.files import answers_of, put, read_record
+from grade.report.html import page, tag
+from grade.settings import stop
+from grade.visible import visible, why
 
 TOP = Path(__file__).resolve().parents[3]
 WORD = re.compile(r"[A-Za-z_]\w{2,}")

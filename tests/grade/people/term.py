@@ -14,23 +14,20 @@ from __future__ import annotations
 import os
 import re
 import statistics
-import sys
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
-
-from grade.people.history import members  # noqa: E402 - found from there on
-from grade.people.sheets import Sheet, SheetError  # noqa: E402
-from grade.policy import PolicyError, number_in, rounded  # noqa: E402
-from grade.report.figures import by_exercise, handed_in, made_by, percent, scored  # noqa: E402
-from grade.report.files import put, read_record  # noqa: E402
-from grade.report.formats import mark, table as csv_table  # noqa: E402
-from grade.report.html import page, scrolled, table, tag  # noqa: E402
-from grade.report.points import NOTHING, clean_class  # noqa: E402
-from grade.settings import stop  # noqa: E402
-from grade.visible import brief, number, visible, why  # noqa: E402
+from grade.people.history import members
+from grade.people.sheets import Sheet, SheetError
+from grade.policy import PolicyError, number_in, rounded
+from grade.report.figures import by_exercise, handed_in, made_by, percent, scored
+from grade.report.files import put, read_record
+from grade.report.formats import mark, table as csv_table
+from grade.report.html import page, scrolled, table, tag
+from grade.report.points import NOTHING, clean_class
+from grade.settings import stop
+from grade.visible import brief, number, visible, why
 
 MOST_MISTAKES = 20
 FIELDS = ("id", "login", "mail", "section")
