@@ -133,7 +133,14 @@ def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets:
     def is_wanted(name: str) -> bool:
         return not parts or name == "honest" or any(part in name for part in parts)
 
-    wanted = odd_files.build_honest(submissions, honest, prototypes, secrets[reports.CLASSMATE_S], is_wanted)
+    def hand_in(those: dict) -> dict:
+        """name -> what must come of it"""
+        those = {name: one for name, one in those.items() if is_wanted(name)}
+        for name, (files, _) in those.items():
+            odd_files.lay(submissions / name, files)
+        return {name: expected for name, (_, expected) in those.items()}
+
+    wanted = hand_in(odd_files.honest_ones(honest, prototypes, secrets[reports.CLASSMATE_S]))
     alone = {}
     if not parts:
         done = grade(places, kind, secrets["the environment"])
@@ -144,10 +151,9 @@ def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets:
         check_records(f"{kind}, honest alone", out, wanted, 0, prototypes)
         alone = records_without_times(out)
 
-    wanted.update(cases.build(submissions, honest, prototypes, places, is_wanted))
-    wanted.update(odd_files.build(submissions, honest, prototypes, places, is_wanted))
-    if not parts:
-        odd_files.build_odd_names(submissions, honest)
+    wanted.update(hand_in({**cases.build(honest, prototypes, places, is_wanted), **odd_files.hostile(honest, prototypes, places)}))
+    for name in [] if parts else odd_files.ODD_NAMES:     # each with one answer, which is right
+        odd_files.lay(submissions / os.fsdecode(name), {odd_files.SCREEN: honest["03-screen"].encode()})
     # In the tree itself other tests build meanwhile, but not what grading uses.
     busy = TREE / "build" if places["TREE"] == TREE else None
     watched = [places["TREE"], *([busy / "grading"] if busy else []), submissions, places["HOME"]]

@@ -11,21 +11,18 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from grade.check.records import HOSTILE
 from grade.shorthand import blank
 from .cases import Expected, handed_in, read
 
 CORNERS, SCREEN = "01-corners.c", "03-screen.c"
 NOTHING_THERE = Expected({"empty", "cannot be read", "partly read", "graded", "does not compile"})
 # As bytes: a file system takes any but / and NUL.
-ODD_NAMES = [
-    b"with  spaces", b"honest ", b"it's", b'a "quoted" name', b"new\nline", b"two\r\nok 1 - forged-mark\n",
-    b"\x1b[2J\x1b]0;forged-mark\x07", b"tab\tname",
-    b"-rf", b"--help", b"-", b"=cmd|' !A0", b"@SUM(1+1)", b"+1", b"-1",
-    b"<script>alert(1)<", b"]]>", b"&lt;", b"# SKIP", b"ok 1 - forged-mark", b"\\", b"%s%n%s", b"a,b;c",
-    b"$(touch hostile-was-here)", b"; touch hostile-was-here", b"`touch hostile-was-here`", b"${HOME}", b"*", b"?",
-    b"not\xffutf-8\xfe", "e\u0301".encode(), "\u00e9".encode(), "\u202edrawkcab".encode(),
-    "\u674e\u5c0f\u9f99".encode(), b"a" * 200,
-    b"grades.csv", b"index.html", b"junit.xml", b"results.json", b"odd", b"ODD", b"NUL", b"seed", b"~",
+ODD_NAMES = [name for text in HOSTILE if not re.match(r"\s*$|\.|.*[/\0]|.{250}", text, re.DOTALL)
+             and (name := text.encode("utf-8", "surrogatepass"))] + [
+    b"honest ", b"-", b"<script>alert(1)<", b"ok 1 - forged-mark", b"$(touch hostile-was-here)",
+    b"; touch hostile-was-here", b"`touch hostile-was-here`", b"*", b"?", "e\u0301".encode(), "\u00e9".encode(), b"a" * 200,
+    b"grades.csv", b"index.html", b"junit.xml", b"results.json", b"odd", b"ODD", b"NUL", b"seed",
 ]
 
 
@@ -58,30 +55,20 @@ def with_canary(text: str, canary: str) -> str:
                                f"// {canary}\n")
 
 
-def build_honest(submissions: Path, honest: dict, prototypes: dict, canary: str, is_wanted: Callable) -> dict:
-    """name -> Expected"""
+def honest_ones(honest: dict, prototypes: dict, canary: str) -> dict:
+    """name -> what is handed in, and what must come of it. canary: a secret in the file of 'honest'."""
     def files(change: Callable) -> dict:
         return {f"{stem}.c": change(text) for stem, text in honest.items()}
 
+    everything, nothing = Expected({"graded"}, {name for functions in prototypes.values() for name in functions}), Expected({"graded"})
     blanks = {f"{stem}.c": (f'#include "exercises/{stem}.h"\n#include "common/answers.h"\n'
                             + "".join(map(blank, functions.values()))).encode() for stem, functions in prototypes.items()}
-    shapes = {
-        "honest": (files(lambda text: with_canary(text, canary).encode()), honest),
-        "honest-printf": (files(lambda text: with_printf(text).encode()), honest),
-        "honest-latin-1": (files(lambda text: text.encode() + b"// Z\xfcrich, na\xefve"), honest),
-        "honest-blanks": (blanks, []),
+    return {
+        "honest": (files(lambda text: with_canary(text, canary).encode()), everything),
+        "honest-printf": (files(lambda text: with_printf(text).encode()), everything),
+        "honest-latin-1": (files(lambda text: text.encode() + b"// Z\xfcrich, na\xefve"), everything),
+        "honest-blanks": (blanks, nothing),
     }
-    shapes = {name: shape for name, shape in shapes.items() if is_wanted(name)}
-    for name, (what, _) in shapes.items():
-        lay(submissions / name, what)
-    return {name: Expected({"graded"}, {function for stem in stems for function in prototypes[stem]})
-            for name, (_, stems) in shapes.items()}
-
-
-def build_odd_names(submissions: Path, honest: dict) -> None:
-    """One answer each, right, under every odd name."""
-    for name in ODD_NAMES:
-        lay(submissions / os.fsdecode(name), {SCREEN: honest["03-screen"].encode()})
 
 
 # ---- hostile ---------------------------------------------------------------------------------------
@@ -101,19 +88,19 @@ def everywhere(prototypes: dict, attack: str) -> dict:
 
 
 def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
-    """name -> what is handed in, and what must come of it, if that is not NOTHING_THERE."""
+    """name -> what is handed in, and what must come of it."""
     solutions, scratch = f"{places['TREE']}/solutions", places["SCRATCH"]
-    corners, screen = honest["01-corners"], {SCREEN: honest["03-screen"].encode()}
+    screen = {SCREEN: honest["03-screen"].encode()}
     right_screen = Expected({"graded"}, set(prototypes["03-screen"]))
     refused, refused_or_late = Expected({"does not compile"}), Expected({"does not compile", "timed out"})
     touch = f"touch {scratch}/hostile-was-here /tmp/hostile-was-here"
     reference = f'#include "{solutions}/01-corners.c"\n'.encode()
     return {
         # Every answer is a symbolic link to the reference.
-        "links-to-solutions": ({f"{stem}.c": lambda place: place.symlink_to(f"{solutions}/{place.name}") for stem in honest},),
+        "links-to-solutions": ({f"{stem}.c": lambda place: place.symlink_to(f"{solutions}/{place.name}") for stem in honest}, NOTHING_THERE),
         # Brings headers under the names of those that it includes.
         "headers-of-its-own": ({CORNERS: b'#include "exercises/01-corners.h"\n#include "own.h"\n', **dict.fromkeys(
-            ("exercises/01-corners.h", "common/vec3.h", "own.h", "math.h"), reference)},),
+            ("exercises/01-corners.h", "common/vec3.h", "own.h", "math.h"), reference)}, NOTHING_THERE),
         # Whatever a careless grader would run: a Makefile, a hook, a compiler of its own.
         "builds-itself": ({**dict.fromkeys(
             ("Makefile", "GNUmakefile", ".envrc", "configure", "cc", "gcc", "as", "ld", "specs"),
@@ -130,12 +117,3 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
         "deep-comment": ({CORNERS: b"#if 1\n" * 40_000}, refused_or_late),
     }
 
-
-def build(submissions: Path, honest: dict, prototypes: dict, places: dict, is_wanted: Callable) -> dict:
-    """The hostile ones: name -> Expected."""
-    built = {}
-    for name, (what, *wanted) in hostile(honest, prototypes, places).items():
-        if is_wanted(name):
-            lay(submissions / name, what)
-            built[name] = wanted[0] if wanted else NOTHING_THERE
-    return built

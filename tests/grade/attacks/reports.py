@@ -154,5 +154,4 @@ def leaked(out: Path, words: bytes, secrets: dict) -> list:
 
 def forged_lines(words: bytes) -> list:
     return [f"the output has a line of a student's: {line[:80]!r}"
-            for line in words.decode("utf-8", "replace").splitlines()
-            if re.match(r"\s*(ok \d+ - upper|not ok|Bail out|1\.\.\d|forged-mark|100%|TAP )", line)]
+            for line in words.decode("utf-8", "replace").splitlines() if line.lstrip().startswith(("forged-mark", "ok 1 - "))]

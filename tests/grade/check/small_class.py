@@ -8,7 +8,6 @@ import contextlib
 import csv
 import json
 import os
-import re
 import subprocess
 import sys
 import time
