@@ -3,7 +3,7 @@
 #
 # tests/proof/generated/ makes them from all known answers, with a seed, and judges them by the tables of three seeds.
 # This test fails if no test notices a plain slip in a solution, or if a verdict is another one with other random numbers
-# (try_mutants.c), unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong
+# (check_verdicts.py), unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong
 # answers are named or described.
 # Only reads the tree.
 set -u
@@ -13,7 +13,6 @@ if [ "${BUILD:-build}" != build ]; then
     skip generated "generated: what crashes on purpose needs the ordinary build"
 fi
 for contract in exercises/*.h; do
-    counted build/tests/try_mutants tests/proof/generated/reviewed "$(basename "$contract" .h)" \
-        build/tables build/tables/seed-1 build/tables/seed-2
+    counted python3 -B tests/proof/generated/check_verdicts.py "$(basename "$contract" .h)"
 done
 finish generated

@@ -81,7 +81,7 @@ def generated(record):
     """On each generated answer."""
     if record.make("build/tests/try_mutants"):
         for stem in stems(record):
-            for line in record.run("build/tests/try_mutants", "-v", stem, "build/tables")[1].splitlines():
+            for line in record.run("python3", "-B", "tests/proof/generated/check_verdicts.py", stem, "-v")[1].splitlines():
                 answer, _, verdict = line.partition("; ")
                 record.say(answer, verdict)
 
