@@ -337,12 +337,10 @@ $(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0
 	$(Q)mkdir -p $(@D)
 	$(Q)node $(WRITE_PACK) $@ $(filter-out %.mjs,$^)
 
-# The numbers in a lesson, for the example that a figure shows (instead/lesson_example.c).
-LESSON_NUMBERS := $(LESSONS:%=$(BOOK)/programs/%-numbers.wasm)
-wasm_parts = $(filter-out %/main.o,$(call wasm_program,$(1)))
+# The numbers in the lessons, for the example that a figure shows (instead/lesson_example.c).
+LESSON_NUMBERS := $(BOOK)/programs/numbers.wasm
 EXAMPLE_WRAPS := $(foreach of,camera place point pixel ray sphere,-Wl,--wrap=example_$(of))
-$(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o $(WASM)/chapters/lessons/numbers.o \
-		$(WASM)/$(INSTEAD)/lesson_example.o $$(call wasm_parts,$$*) \
+$(LESSON_NUMBERS): $(WASM)/chapters/lessons/numbers.o $(WASM)/chapters/02-cameras/forms.o $(WASM)/$(INSTEAD)/lesson_example.o \
 		$(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)

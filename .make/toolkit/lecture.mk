@@ -33,9 +33,9 @@ NARROW_FIGURES := $(call figures_there,beside) $(if $(filter 4:3,$(SLIDE_SHAPES)
 WIDE_FIGURES := $(if $(filter 16:9,$(SLIDE_SHAPES)),$(call figures_there,below))
 endif
 
-# The numbers, by the answers.
-$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lessons/numbers.o \
-		$(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
+# The numbers of the example, by the answers.
+NUMBERS_OBJECTS := $(addprefix $(B)/chapters/,lessons/print_numbers.o lessons/numbers.o 02-cameras/forms.o)
+$(LECTURE)/numbers: $(NUMBERS_OBJECTS) $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ -lm
@@ -133,27 +133,25 @@ check check-all check-long: $(PRINT_ANIMATION)
 
 # ---- lessons, with their numbers, figures and pictures, as they are committed for readers who build nothing ---
 
-# Lessons have numbers of the example (chapters/example.h) in the lines that chapters/lessons/lines.txt has; the program
-# of NN-stem.c prints these numbers, and fill.py puts them in, and the output of the chapter's program.
+# Lessons have numbers of the example (chapters/example.h) in the lines that chapters/lessons/lines.txt has; a program
+# prints these numbers (numbers.c), and fill.py puts them in, and the output of the chapter's program.
 LESSONS := $(filter $(CHAPTERS),$(file <chapters/lessons/lines.txt))
-FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
-parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
-$(FILL_LESSON): %: %.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
-		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
+EXAMPLE_NUMBERS := $(B)/chapters/lessons/numbers
+$(EXAMPLE_NUMBERS): $(NUMBERS_OBJECTS) $(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
-FILL := $(PYTHON) chapters/lessons/fill.py
+	$(Q)$(LINK) -o $@ $^ -lm
+FILL := $(PYTHON) chapters/lessons/fill.py $(EXAMPLE_NUMBERS)
 FILLED := $(LESSONS:%=$(B)/lessons/%.md)
-$(FILLED): $(B)/lessons/%.md: $(addprefix chapters/lessons/,lines.txt fill.py) $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
+$(FILLED): $(B)/lessons/%.md: $(addprefix chapters/lessons/,lines.txt fill.py) $(EXAMPLE_NUMBERS) $(B)/solutions/% chapters/%/README.md
 	$(Q)mkdir -p $(@D)
 	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
-	$(Q)if command -v python3 >/dev/null; then $(FILL) $(B)/chapters/lessons/$* $(@:.md=.txt) chapters/$*/README.md; \
+	$(Q)if command -v python3 >/dev/null; then $(FILL) $(@:.md=.txt) chapters/$*/README.md; \
 		else cat chapters/$*/README.md; fi > $@
 
 # The same with each number marked, for a page (chapters/lessons/fill.py).
 LESSONS_MARKED := $(LESSONS:%=$(B)/lessons/%.marked.md)
 $(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
-	$(Q)$(FILL) $(B)/chapters/lessons/$* $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
+	$(Q)$(FILL) $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
 
 # Numbers that are not an example are named before anything is made of them.
 CHECK_EXAMPLE := $(B)$(EXAMPLE:%=/examples/%)/check_example

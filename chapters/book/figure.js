@@ -103,8 +103,8 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
 // ---- the lesson's numbers -------------------------------------------------------------------------
 
 /**
- * The numbers of a lesson for another example than the lecture's (instead/lesson_example.c).
- * @param {WebAssembly.Module} program NN-stem-numbers.wasm
+ * The numbers of the lessons for another example than the lecture's (instead/lesson_example.c).
+ * @param {WebAssembly.Module} program numbers.wasm
  * @param {string} figure its name
  * @param {Object<string, string>} options of that figure
  * @returns {Object<string, string>} by its name, each number that is not the lecture's

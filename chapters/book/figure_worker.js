@@ -24,7 +24,7 @@ answerQuestions({
     async script({ script, theme }) {
         return (await figures()).drawScript(script, { theme });
     },
-    async numbers({ stem, name, options }) {
-        return { numbers: lessonNumbers(await program(`${stem}-numbers`), name, options) };
+    async numbers({ name, options }) {
+        return { numbers: lessonNumbers(await program("numbers"), name, options) };
     },
 });

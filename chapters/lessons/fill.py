@@ -32,7 +32,7 @@ def in_formulas(text):
 class Lesson:
     def __init__(self, numbers, output, lesson, marked):
         self.numbers = json.loads(subprocess.run([numbers], stdout=subprocess.PIPE, check=True).stdout)
-        self.path, self.marked, self.used, self.errors = Path(lesson), marked, set(), []
+        self.path, self.marked, self.errors = Path(lesson), marked, []
         self.output, self.lesson = (Path(path).read_text(encoding="utf-8") for path in (output, lesson))
 
     def lines(self):
@@ -51,7 +51,6 @@ class Lesson:
     def number(self, name, line):
         if name not in self.numbers:
             return self.wrong(line, f"no number has the name '{name}'")
-        self.used.add(name)
         text = self.numbers[name]
         return f"\ue000{name}\ue001{text}\ue002" if self.marked else text
 
@@ -80,7 +79,6 @@ class Lesson:
                 end = place.end()
             else:
                 self.wrong(number, f"{self.path} has no such line, or not in this order: change it in both")
-        self.errors += [f"{self.path}: does not use the number '{name}'" for name in self.numbers if name not in self.used]
         return in_formulas("".join(parts) + self.lesson[end:])
 
 

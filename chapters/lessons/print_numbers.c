@@ -1,5 +1,5 @@
-// print_numbers.c - the numbers of a lesson, for fill.py: {"NAME": "TEXT", ...}
-#include "chapters/lessons/fill.h"
+// print_numbers.c - the numbers of the example as JSON: {"NAME": "TEXT", ...}
+#include "chapters/lessons/numbers.h"
 #include "common/text.h"
 
 #include <stdio.h>
@@ -7,8 +7,7 @@
 int main(void)
 {
     int count;
-    fill_numbers();
-    const FilledNumber *numbers = filled_numbers(&count);
+    const NamedNumber *numbers = named_numbers(&count);
     for (int i = 0; i < count; i++) {
         printf(i == 0 ? "{" : ", ");
         json_print_string(stdout, numbers[i].name);

@@ -26,6 +26,14 @@ for stem in $(sed -n 's/^= //p' chapters/lessons/lines.txt); do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
 done
+# What no lesson and no slide says need not be computed.
+names_in_use() {
+    "$BUILD/chapters/lessons/numbers" | grep -o '"[A-Za-z0-9_]*": ' | tr -d '": ' >"$scratch/names"
+    [ -s "$scratch/names" ] && while IFS= read -r name; do
+        grep -qF "[[$name]]" chapters/lessons/lines.txt chapters/slides.txt || { echo "not used: $name" && return 1; }
+    done <"$scratch/names"
+}
+check 'each number of the example is in a lesson or on a slide' names_in_use
 for page in README.md chapters/README.md chapters/08-fast/engines.md chapters/book/README.md exercises/README.md tests/grade/README.md \
     tests/grade/recipes/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"

@@ -1,15 +1,16 @@
-// lesson_example.c - the numbers of a lesson for another example: that of a figure in the page.
+// lesson_example.c - the numbers of the lessons for another example: that of a figure in the page.
 //
-// Usage: NN-stem-numbers --figure=NAME [OPTION]..., with the figure's options. Prints {"NAME":
+// Usage: numbers --figure=NAME [OPTION]..., with the figure's options. Prints {"NAME":
 // "NUMBER", ...} for the numbers that differ from those of chapters/example.h. The linker puts
 // __wrap_NAME in the place of the functions of chapters/shared/example.c (--wrap=NAME).
-#include "chapters/lessons/fill.h"
+#include "chapters/lessons/numbers.h"
 #include "chapters/shared/example.h"
 #include "common/options.h"
 #include "common/text.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static struct {
@@ -74,7 +75,7 @@ static void read_example(int argc, char **argv)
         {"center", 0, "X,Y,Z", option_vec3, &example.sphere.center, "of the sphere"},
         {"radius", 0, "R", option_number, &example.sphere.radius, "of the sphere"},
         {0}};
-    Usage usage = {"[OPTION]...", "The numbers of a lesson for another example, as JSON."};
+    Usage usage = {"[OPTION]...", "The numbers of the lessons for another example, as JSON."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     complete();
@@ -83,25 +84,23 @@ static void read_example(int argc, char **argv)
 int main(int argc, char **argv)
 {
     read_example(1, argv);
-    fill_numbers();
-    int count, all;
-    const FilledNumber *numbers = filled_numbers(&count);
-    read_example(argc, argv);
-    fill_numbers();
-    filled_numbers(&all);
-    if (figure != NULL && strcmp(figure, own_example) == 0)
-        count = all = 0;
-    if (all != 2 * count) {
-        fprintf(stderr, "%s: the example has other names\n", argv[0]);
+    int count;
+    const NamedNumber *numbers = named_numbers(&count);
+    NamedNumber *lecture = malloc((size_t)count * sizeof *lecture);
+    if (lecture == NULL)
         return 1;
-    }
+    memcpy(lecture, numbers, (size_t)count * sizeof *lecture);
+    read_example(argc, argv);
+    named_numbers(&count);
+    if (figure != NULL && strcmp(figure, own_example) == 0)
+        count = 0;
     const char *before = "{";
     for (int i = 0; i < count; i++)
-        if (strcmp(numbers[i].text, numbers[count + i].text) != 0) {
+        if (strcmp(numbers[i].text, lecture[i].text) != 0) {
             fputs(before, stdout);
             json_print_string(stdout, numbers[i].name);
             fputs(": ", stdout);
-            json_print_string(stdout, numbers[count + i].text);
+            json_print_string(stdout, numbers[i].text);
             before = ",\n";
         }
     puts(*before == '{' ? "{}" : "}");
