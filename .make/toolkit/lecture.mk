@@ -183,7 +183,7 @@ draw_lesson_steps = FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS=1 $(DRAW_FIGURES) $(D
 	$$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
 
 # Pictures that the lessons show, chapters/NN-stem/NAME.png: those that programs draw, $(GALLERY)/NAME.png.
-# Two take too long; they have tests of their own (tests/house/shading.sh, tests/proof/shading.sh).
+# Two take too long; they have tests of their own (tests/house/shading.txt, tests/proof/shading.sh).
 LESSON_PICTURES := $(filter-out %/sphereflake.png %/finale.png,$(wildcard chapters/[0-9]*/*.png))
 # Some of them are drawn before a chapter is right (tests/course/pictures), here by the solutions.
 SO_FAR := $(filter 01-spheres.png 04-spheres.png 07-%.png,$(notdir $(LESSON_PICTURES)))

@@ -85,7 +85,7 @@ done
 for picture in chapters/[0-9]*/*.png; do
     name=${picture##*/}
     check "a lesson shows $picture" grep -qE "[(/]$name\)" chapters/[0-9]*/README.md
-    # These two take too long to be drawn here: shading.sh and proof/shading.sh draw them.
+    # These two take too long to be drawn here: shading.txt and proof/shading.sh draw them.
     case $name in sphereflake.png | finale.png) continue ;; esac
     check "$picture is small" test "$(wc -c <"$picture")" -le "${MOST_BYTES:-100000}"
     drawn=$BUILD/so-far/$name
