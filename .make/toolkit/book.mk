@@ -402,10 +402,11 @@ $(WASM_COMPILER)/pack: $(WRITE_PACK) $(WASM_COMPILER)/include/stddef.h $(STRIPPE
 	$(call say,pack,headers and libraries)
 	$(Q)node $< $@ $(PACKED)
 
-# xz-decompress knows no other check. The small one is fetched by each student, so it is packed as well as can be.
+# xz-decompress knows no other check. The small one is fetched by each student, so it is packed as well as can be; the whole
+# one hardly ever: 3 % larger in two thirds of the time.
 XZ := xz --check=crc32 --threads=1 --stdout
 $(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=8MiB
-$(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB
+$(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB,depth=3
 $(BOOK_COMPILER)/pack.xz: XZ_HOW := --lzma2=preset=9e,dict=4MiB
 $(COMPRESSED:%=$(BOOK_COMPILER)/%): $(BOOK_COMPILER)/%.xz: $(WASM_COMPILER)/% .make/toolkit/book.mk
 	$(call say,compress,$@)

@@ -21,7 +21,7 @@ import latex_picture
 from jobs import beside_each_other, end_with_programs, run
 
 ALL_STEPS = 1000
-AT_ONCE = 8  # pictures by one gnuplot, which takes as long to begin as to draw one
+AT_ONCE = 16  # pictures by one gnuplot, which takes as long to begin as to draw one
 SAID = b"\x1e\n"  # between what it says of each
 SOURCES = [Path(__file__), Path(latex_picture.__file__)]
 
