@@ -44,7 +44,7 @@ $(STEMS:%=$(B)/answering/%.o): $(B)/answering/%.o: $(ANSWERING) $(B)/dispatch/%.
 # Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
 # for the programs, so that what is right here also builds there. An index beyond the end of an array
 # is a crash, not luck. Each function says when it is entered, and the memory of its variables is filled first
-# (tests/judge/answer_calls.h).
+# (tests/judge/message.h).
 IS_CLANG := $(findstring clang,$(FLAGS_NOW))
 FILL_FIRST := $(if $(filter x86_64,$(word 2,$(ASKED))),-pg -mfentry)
 ANSWER_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(FILL_FIRST) $(SANITIZER) $(FOR_STUDENTS) \

@@ -9,11 +9,11 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(Q)$(LINK) -o $@ $^
 
 # The common parts of all test programs: the list of tests, the words for given and expected, the lecture's example.
-TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner known types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner known exercise) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/house/judge/*.c tests/course/check_*.c))
 # The parts of the program that judges answers (tests/course/course.c).
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c tests/course/check_%, \
-	$(wildcard tests/course/*.c))) $(filter-out %/main.o,$(EXPLAIN_OBJECTS)) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
+	$(wildcard tests/course/*.c))) $(filter-out %/main.o,$(EXPLAIN_OBJECTS)) $(patsubst %,$(B)/tests/judge/%.o,exercise)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
 $(filter $(B)/tests/house/judge/%,$(COMMON_TESTS)): $$(CALLING) $$(REFERENCES)
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/reference/test_main.o $(B)/common.a
@@ -22,7 +22,7 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/reference/test_main.o $(B)/c
 
 # Compiling what is known of the stems takes longer than running it: not optimised. But every call goes
 # through its message.
-FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types numbers message table questions suspects answers_called)
+FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,exercise numbers message table questions suspects answers_called)
 $(filter-out $(FOR_EACH_CALL),$(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c))): OPTIMIZE = -O0
 
 # The program that runs the tests: T=word, only those that have it in their name.
@@ -36,12 +36,12 @@ JUDGE := $(B)/judge
 
 # The list of the exercises, for programs that are not C (the format is in its source).
 LIST := build/list_exercises
-$(LIST): $(patsubst %,tests/judge/%.c,list_exercises exercise types) tests/exercises.def tests/judge/types.def
+$(LIST): $(patsubst %,tests/judge/%.c,list_exercises exercise) tests/exercises.def tests/judge/types.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
 
 # One call of one exercise, as a message.
-CALLING := $(patsubst %,$(B)/tests/judge/%.o,message numbers exercise types)
+CALLING := $(patsubst %,$(B)/tests/judge/%.o,message numbers exercise)
 # The answering process, for each stem: its number without zeros; 0 is all of them.
 answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
 DISPATCHES := $(patsubst %,$(B)/dispatch/%.o,$(STEMS) all)
@@ -62,7 +62,7 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 
 # It asks what the tables say: the questions of the tests, the right results and those of known mistakes, from
 # which nobody can read a test or an answer (tests/judge/table.h). They are made from the tests; a handout has them.
-# The laws go with it; as beside the reference (tests/judge/law.h), an exercise has another name in them.
+# The laws go with it; as beside the reference (tests/judge/known.h), an exercise has another name in them.
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
 $(B)/reference.h: tests/judge/names.def tests/judge/parameters.h tests/exercises.def
 	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. -DFORMS tests/judge/names.def; } > $@

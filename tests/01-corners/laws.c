@@ -2,7 +2,7 @@
 #include "exercises/01-corners.h"
 
 #include "common/text.h"
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 // the reasons that hold without a doubt, then all that may be given, because rounding decides.
 #include "exercises/02-cameras.h"
 
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 static int bit(CameraFault fault, bool holds)
 {

@@ -2,7 +2,7 @@
 // same edge.
 #include "exercises/03-screen.h"
 
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 // Much wider than the contract's 1e-9 of a pixel, and 1e-12 normalized.
 static bool far_from(double yours, double right, double size)

@@ -2,7 +2,7 @@
 #include "exercises/04-pixel-ray.h"
 
 #include "common/text.h"
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 // The point where a ray meets the plane, as far from the eye along a direction of the camera.
 static double place_along(Ray ray, vec3 direction, Camera camera)

@@ -4,7 +4,7 @@
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 static void hits_of_pixels(const Scene *scene, Camera camera, Resolution size)
 {

@@ -3,7 +3,7 @@
 #include "exercises/06-ray-casting.h"
 
 #include "common/text.h"
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 #include <stdio.h>
 

@@ -4,7 +4,7 @@
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 static double cosine_between(vec3 v, vec3 w)
 {

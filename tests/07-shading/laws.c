@@ -2,7 +2,7 @@
 // colors for a display, shares of light, and what is lit.
 #include "exercises/07-shading.h"
 
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 // ---- laws of the directions of light: how long, and where to ------------------------------------
 

@@ -3,7 +3,7 @@
 #include "exercises/08-fast.h"
 
 #include "common/text.h"
-#include "tests/judge/law.h"
+#include "tests/judge/known.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,5 +1,4 @@
 // answer_calls.c - answers the judge's calls, however its messages arrive.
-#include "tests/judge/answer_calls.h"
 
 #include "common/answers.h"
 #include "tests/judge/message.h"

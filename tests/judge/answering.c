@@ -5,8 +5,6 @@
 #define _GNU_SOURCE
 #include "tests/judge/process.h"
 
-#include "tests/judge/answer_calls.h"
-
 #include <errno.h>
 #include <signal.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 // calls_traced.c - what happens when a function of an answer is entered.
-#include "tests/judge/answer_calls.h"
+#include "tests/judge/message.h"
 
 #include <stdbool.h>
 #include <stddef.h>

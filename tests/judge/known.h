@@ -1,8 +1,8 @@
 // known.h - what is known of each stem, and which stem this run of the program is about.
 //
 // A program holds the tests of all stems. Each file of a stem adds what it defines: tests (test.h),
-// known answers, and by OF_STEM(part) a part of Stem that has this name in the file. The stem is
-// the file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
+// known answers, laws, and by OF_STEM(part) a part of Stem that has this name in the file. The stem
+// is the file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
 //
 // Known answers are wrong ones that people really give, with the sentences about each, and right
 // ones in other forms:
@@ -19,9 +19,11 @@
 #ifndef TESTS_JUDGE_KNOWN_H
 #define TESTS_JUDGE_KNOWN_H
 
+#include "common/text.h"
 #include "tests/judge/exercise.h"
 
 #include <stddef.h>
+#include <string.h>
 
 typedef struct KnownAnswer {
     const char *id;       // C2, as in the field's list of mistakes, or a name of our own; of an
@@ -152,5 +154,74 @@ extern int answer_style;
         add_known(__FILE__, kind, &entry_##number);                                                \
     }
 #endif
+
+// ---- laws ---------------------------------------------------------------------------------------
+
+// Properties that hold for every right answer whatever the numbers, and the words for a broken one.
+//
+// If no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector goes
+// 2 along forward; the plane is 4 ahead'. In tests/NN-stem/laws.c,
+//
+//     LAW(image_plane_vector) { ... }
+//
+// is called after each call of this exercise, with its result, yours, the right one, if the
+// function only returns it, and its parameters, which have the names of tests/exercises.def (and
+// the results behind pointers). It must never complain about a right answer, within the contract's
+// tolerance.
+//
+// laws.c is in the students' archive, so it is no second solution: it measures both results, and
+// computes neither. What only the reference can say, the recorder asks it in tests/NN-stem/facts.c:
+// FACTS(image_plane_vector) { fact(...); } is called once for each question, with the right result,
+// and the law finds these numbers in law_facts().
+
+// build/reference.h defines LAW_upper_left(law) as void law(vec3 yours, vec3 right, Camera c).
+#define LAW(exercise)                                                                              \
+    LAW_##exercise(law_##exercise);                                                                \
+    LAW_##exercise(law_##exercise)
+
+// In a program with facts.c there are no laws.
+#define FACTS LAW
+void fact(double x);
+const double *law_facts(void);
+
+// All numbers of the right result (numbers.h), for one that is not returned.
+const double *law_right(void);
+
+// In a sentence with the numbers. Only the first of an exercise is kept.
+void law_broken(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// ---- two numbers as words, with enough digits to distinguish them ------------------------------
+
+// Rounding leaves 1e-16 instead of 0.
+static inline double without_noise(double x, double noise)
+{
+    return fabs(x) <= noise ? 0 : x;
+}
+
+typedef struct {
+    Text yours, right;
+} Apart;
+
+static inline Apart apart(double yours, double right)
+{
+    Apart texts;
+    int digits = TEXT_DIGITS;
+    do {
+        texts.yours = number_text_to(yours, digits);
+        texts.right = number_text_to(right, digits);
+    } while (strcmp(texts.yours.s, texts.right.s) == 0 && ++digits <= 17);
+    return texts;
+}
+
+static inline Apart apart_vec3(vec3 yours, vec3 right)
+{
+    Apart texts;
+    int digits = TEXT_DIGITS;
+    do {
+        texts.yours = vec3_text_to(yours, digits);
+        texts.right = vec3_text_to(right, digits);
+    } while (strcmp(texts.yours.s, texts.right.s) == 0 && ++digits <= 17);
+    return texts;
+}
 
 #endif

@@ -1,5 +1,5 @@
-// laws.c - calls the law of an exercise (law.h), if this program has it.
-#include "tests/judge/law.h"
+// laws.c - calls the law of an exercise (known.h), if this program has it.
+#include "tests/judge/known.h"
 
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"

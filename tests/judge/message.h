@@ -23,7 +23,7 @@ typedef struct {
 
 enum { MESSAGE_MAGIC = 0x52617943 };
 // The judge calls and lends; the answering process answers, calls a lent exercise, or crashes; and
-// it reports which other exercises it enters meanwhile (answer_calls.h).
+// it reports which other exercises it enters meanwhile.
 enum { MESSAGE_CALL, MESSAGE_ANSWER, MESSAGE_CRASH, MESSAGE_ASK, MESSAGE_LENT, MESSAGE_ENTERED };
 
 // What follows the header of a crash.
@@ -97,7 +97,7 @@ extern AnyFunction *const direct_answers[];
 // ---- the memory that nobody has set ------------------------------------------------------------
 
 // In the answering process it is filled with bytes that cannot pass for a right value: its stack,
-// before a call and whenever one of the answer's functions is entered (answer_calls.h), its result,
+// before a call and whenever one of the answer's functions is entered (calls_traced.c), its result,
 // and the padding of its arguments. A result that was never set is recognised by them.
 
 // Bytes. Two, so that no number is taken for paint by chance; they differ in the sign of a number
@@ -113,5 +113,35 @@ int paint_of_call(int exercise);
 
 // Whether a number consists only of paint: of a double, or of an int.
 bool is_paint(double number, int paint);
+
+// ---- the other end (answer_calls.c), also in a page, in a WebAssembly instance (chapters/book/)
+// ---
+
+// The program round it moves the bytes: all of them, or false.
+bool answer_read(void *bytes, size_t size);
+bool answer_write(const void *bytes, size_t size);
+// Ends the program: the judge cannot be understood, or is gone.
+_Noreturn void answer_end(void);
+
+void answer_begin(void);
+// Waits for a call and answers it. False if there is none, or it is not one of this chapter.
+bool answer_call(void);
+// Reports that the call that is being answered has crashed.
+void answer_crashed(const Crash *crash);
+
+// ---- when a function of the answer is entered (calls_traced.c) ---------------------------------
+
+// Answers are compiled with -finstrument-functions, so that each of their functions reports when it
+// is entered. An exercise that a call enters, directly or through others, may be the reason why the
+// call is wrong.
+
+// From now on each exercise that is entered is reported once, except the one that is called.
+void trace_calls_of(int exercise, void (*entered)(int other));
+void trace_end(void);
+
+// Before any function of the answer runs, the stack below is filled with this byte: now, and
+// whenever one is entered. So a variable that was never set is wrong in every call, and not only
+// when an earlier call has left something else there.
+void fill_stack_with(int byte);
 
 #endif

@@ -2,7 +2,6 @@
 #include "tests/judge/suspects.h"
 
 #include "tests/judge/known.h"
-#include "tests/judge/law.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/table.h"

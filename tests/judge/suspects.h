@@ -45,7 +45,7 @@ const char *suspect_broke_law(int exercise, bool hidden);
 // A question was answered (questions.c).
 void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours);
 
-// Whether the laws are wanted in this test, and a law that is broken (law.h) is of its next call.
+// Whether the laws are wanted in this test, and a law that is broken (known.h) is of its next call.
 bool law_begin(void);
 
 // Checks the law of the exercise, with the right result and the facts of the question.

@@ -34,7 +34,7 @@ typedef struct Question {
     int *of_mistake; // which of the results each known mistake of the function gives
     const unsigned char **differences; // of each result from the right one
     Numbers corners; // of the image plane, from the eye, if a vector to it is asked for
-    Numbers facts;   // what the law of the function needs to know (law.h)
+    Numbers facts;   // what the law of the function needs to know (known.h)
 } Question;
 
 typedef struct {

@@ -4,7 +4,6 @@
 
 #include "common/text.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/types.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -15,7 +15,7 @@
 #include "common/text.h"
 #include "common/vec3.h"
 #include "exercises/05-quadratic.h"
-#include "tests/judge/types.h"
+#include "tests/judge/exercise.h"
 
 #include <check.h>
 

@@ -8,7 +8,7 @@
 // judge if the exercise is lent. So nothing is linked again to lend it.
 // ANSWERED: the chapter. EARLIER_ANSWERS: it is linked with the student's answers to the chapters
 // before it (a handout), so calls of those are reported too.
-#include "tests/judge/answer_calls.h"
+#include "tests/judge/message.h"
 
 #include "chapters/book/instead/page.h"
 #include "tests/judge/exercise.h"

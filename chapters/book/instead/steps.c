@@ -4,7 +4,7 @@
 // The compiler calls this at the begin of each block of code (-fsanitize-coverage=trace-pc). A step
 // is the same on every machine; a second is not.
 #include "chapters/book/instead/page.h"
-#include "tests/judge/answer_calls.h"
+#include "tests/judge/message.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -66,7 +66,7 @@ def is_attempt(found: dict[str, str]) -> bool:
 
 
 def calls_among(functions: dict[str, dict], names: list[str]) -> dict[str, list[str]]:
-    """Which of these call which others, as the answering process noted when it was asked (tests/judge/answer_calls.h).
+    """Which of these call which others, as the answering process noted when it was asked (tests/judge/message.h).
     The process is the student's, so this proves nothing: it only says what is worth a try. Two that call each other
     do not excuse each other."""
     calls = {name: set(functions[name].get("calls", "").split()) for name in names}

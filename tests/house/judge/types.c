@@ -1,7 +1,7 @@
 // types.c - what a type's entry brings (types.def): here for a Plane, which is this test's
 // own, and for every type that there is.
 #define DEFINES_TYPES
-#include "tests/judge/types.h"
+#include "tests/judge/exercise.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/test.h"
 

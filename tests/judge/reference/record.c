@@ -7,7 +7,6 @@
 // others, and hidden (test.h).
 #include "common/camera.h"
 #include "tests/judge/known.h"
-#include "tests/judge/law.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
