@@ -56,7 +56,6 @@ JUDGES_LAYOUTS := common/figure/plot.gp $(wildcard chapters/*/figures/yours-and-
 # The pictures of a student's answers, before a chapter is right and after it (tests/course/pictures/).
 # In the toolkit the reference, under other names, replaces missing answers; a handout has no reference.
 DRAWING_ANSWERS := $(B)/tests/course/pictures/draw.o
-NOT_FILLED := $(B)/tests/course/pictures/not_filled.o
 $(DRAWING_ANSWERS): EXTRA = $(PNG_CFLAGS) -include $(B)/weak.h
 $(DRAWING_ANSWERS): $(B)/weak.h
 HAS_REFERENCE := $(wildcard solutions/.)
@@ -72,7 +71,7 @@ endif
 # A program with loops for several processors is built by make alone.
 drawing_of = $(if $(wildcard chapters/$(1)/*_lanes.c chapters/$(1)/*/*_lanes.c),,$(call chapter_objects,$(1)) \
 	$(B)/chapters/shared.a $(B)/common.a)
-FOR_PICTURES = $(DRAWING_ANSWERS) $(NOT_FILLED) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
+FOR_PICTURES = $(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
 	$(foreach s,$(STEMS),$(call right_of,$(s))) $(foreach s,$(1),$(call drawing_of,$(s)))
 
 # The calls of a test, made directly, for gdb.
@@ -86,7 +85,7 @@ $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/common.a
 PLAN := $(VERDICT)/plan
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
-	'program	$(NOT_FILLED) $(call drawing_of,$(s))')
+	'program	$(B)/tests/judge/calls_traced.o $(call drawing_of,$(s))')
 $(PLAN): $(COURSE) $(JUDGE) $(TABLES) $(B)/weak.h $(B)/flags.mk $(JUDGES_LAYOUTS) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) \
 		$(foreach s,$(STEMS),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 	@mkdir -p $(@D)
