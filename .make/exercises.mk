@@ -22,7 +22,7 @@ endif
 # The parts of the answering process besides the answer.
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering answer_calls calls_traced) $(CALLING)
 answering = $(B)/answering/$(1).o $(earlier_answers) $(B)/common.a
-# The tests judge. A handout has none, nor solutions: it judges by tables of right results (tests/tables/).
+# The tests judge. A handout has none, nor solutions: it judges by tables of right results (tests/given.tar).
 ifneq ($(wildcard .make/toolkit/tests.mk),)
 include .make/toolkit/tests.mk
 else
@@ -30,11 +30,6 @@ else
 # (that of the blank, if it does not compile) is linked with the later ones.
 earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
 stands_on = $(call earlier,$(1))
-
-# The numbers of what is right, which figures draw beside a student's.
-build/right-figures/%.gp: tests/tables/right-figures.tar
-	$(Q)mkdir -p $(@D)
-	$(Q)tar xOf $< $*.gp > $@
 endif
 # Linked in advance, so that nobody waits for it at each verdict.
 $(STEMS:%=$(B)/answering/%.o): $(B)/answering/%.o: $(ANSWERING) $(B)/dispatch/%.o $(lent)
@@ -51,7 +46,7 @@ ANSWER_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(FILL
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 # Without link-time optimisation and what a debugger reads, linking takes two thirds of the time.
 LINK_SOON := -Wl,-S $(if $(IS_CLANG),,-fno-use-linker-plugin)
-JUDGES_LAYOUTS := common/figure/plot.gp $(wildcard chapters/*/figures/yours-and-right.gp) $(wildcard tests/judge/layouts/*.gp)
+JUDGES_LAYOUTS := $(wildcard $(addprefix $(GIVEN),common/figure/plot.gp chapters/*/figures/yours-and-right.gp tests/judge/layouts/*.gp))
 
 # The pictures of a student's answers, before a chapter is right and after it (tests/course/pictures/).
 # In the toolkit the reference, under other names, replaces missing answers; a handout has no reference.
@@ -60,7 +55,7 @@ $(DRAWING_ANSWERS): EXTRA = $(PNG_CFLAGS) -include $(B)/weak.h
 $(DRAWING_ANSWERS): $(B)/weak.h
 HAS_REFERENCE := $(wildcard solutions/.)
 right_of = $(if $(HAS_REFERENCE),$(B)/solutions/direct/$(1).o)
-SPHERES := tests/course/pictures/spheres.nff
+SPHERES := $(GIVEN)tests/course/pictures/spheres.nff
 RECORDED := $(TABLE)/spheres.png
 ifneq ($(HAS_REFERENCE),)
 $(RECORDED): $(SPHERES) $(B)/solutions/07-shading
@@ -174,7 +169,7 @@ $(TASK_PROGRAMS): $(TASK_FOLDER)/%: $$(call task_source,$$*) $(ANSWER_OBJECTS) $
 # The picture of a task, and how far it is from the expected one.
 TASK_STATES := $(OPTIONAL:%=$(TASK_FOLDER)/%.state)
 $(TASK_STATES): $(TASK_FOLDER)/%.state: $(TASK_FOLDER)/% $(COMPARE_TASK) exercises/optional/pictures/%.png \
-		$(wildcard exercises/optional/*.nff)
+		$(wildcard $(GIVEN)exercises/optional/*.nff)
 	$(Q)rm -f $(@:.state=.png) $(@:.state=-panels.png)
 	$(Q)$< -o $(@:.state=.png) > $(@:.state=.words) 2>&1 || echo "the program ended with status $$?" >> $(@:.state=.words)
 	$(Q)$(COMPARE_TASK) $* $(@D) $(word 3,$^) > $@

@@ -5,7 +5,7 @@
 # folder: DRAWN_FIGURES/NAME/NAME.gp, NAME.svg and so on.
 # FIGURE=name: only that one, or several with commas.
 DRAWN_FIGURES := $(BUILT)/figures
-LAYOUTS := $(wildcard chapters/*/figures/*.gp)
+LAYOUTS := $(wildcard $(GIVEN)chapters/*/figures/*.gp)
 FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
 
 ifneq ($(WORDS),)
@@ -72,10 +72,10 @@ endif
 script_of = $(foreach name,$(2),$(1)/$(name)/$(name).gp)
 SCRIPTS := $(call script_of,$(DRAWN_FIGURES),$(FIGURE_NAMES))
 layout_of = $(filter %/$(1).gp,$(LAYOUTS))
-stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
+stem_of = $(word 2,$(subst /, ,$(patsubst $(GIVEN)%,%,$(call layout_of,$(1)))))
 program_of = $(BUILT)/$(or $(FIGURES_OF_$(stem_of)),$(stem_of))
-figure_files = $(call layout_of,$(1)) $(WORDS) $(wildcard common/figure/*.gp \
-	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
+figure_files = $(call layout_of,$(1)) $(WORDS) $(wildcard $(GIVEN)common/figure/*.gp \
+	$(foreach s,$(call stem_of,$(1)),chapters/$(s)/*.nff $(GIVEN)chapters/$(s)/figures/*.nff))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
 # judge says is wrong.
 RIGHT_BUILT := $(B)$(EXAMPLE:%=/examples/%)/solutions

@@ -67,10 +67,10 @@ renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tes
 $(B)/reference.h: tests/judge/names.def tests/judge/parameters.h tests/exercises.def
 	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. -DFORMS tests/judge/names.def; } > $@
 AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
-LAWS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*/laws.c))
+LAWS := $(patsubst $(GIVEN)%.c,$(B)/%.o,$(wildcard $(GIVEN)tests/[0-9]*/laws.c))
 $(LAWS): EXTRA = $(AS_KNOWN)
 $(LAWS): $(B)/reference.h
-TABLE := $(or $(wildcard tests/tables),$(B)/tables)
+TABLE := $(if $(GIVEN),build,$(B))/tables
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(B)/tests/judge/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 READING := $(B)/tests/judge/table.o $(CALLING)

@@ -252,7 +252,7 @@ BOOK_ROOT := $(if $(FROM),$(WASM)/ray-casting,.)
 UNPACKED := $(WASM)/unpacked
 $(UNPACKED): build/handout.tar.gz
 	$(Q)mkdir -p $(@D) && rm -rf $(WASM)/ray-casting
-	$(Q)tar xf $< -C $(@D)
+	$(Q)tar xf $< -C $(@D) && tar xf $(@D)/ray-casting/tests/given.tar -C $(@D)/ray-casting
 	@touch $@
 BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/*.svg exercises/*.[ch] exercises/*.hints \
 	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h)

@@ -16,6 +16,8 @@ from pathlib import Path
 FORMATS = {"svg": "SVG", "pdf": "PDF", "png": "PNG", "tex": "TeX"}
 VIDEOS = {"mp4": "MP4", "webm": "WebM", "gif": "GIF", "apng": "APNG"}
 NARROW, DARK = "(max-width: 600px)", "(prefers-color-scheme: dark)"
+# Of the deck's figures; a handout has them in build/.
+LAYOUTS = sorted(path for folder in (Path(), Path("build")) for path in folder.glob("chapters/*/figures/*.gp"))
 
 
 def escaped(text):
@@ -139,7 +141,7 @@ class Gallery:
                     rows += self.row(name, f"{suffix}-step{step}{theme}", f"step {step}{shape}{dark}", title)
         # Own figures are made by another command.
         command = f"<p><code>make figures FIGURE={name} STEPS=1 FORMAT=svg,pdf,png,tex</code> draws all of them.</p>" \
-            if any(Path("chapters").glob(f"*/figures/{name}.gp")) else ""
+            if any(layout.stem == name for layout in LAYOUTS) else ""
         return (rows or command) and f"""<details><summary>Steps, shapes and formats<span class="aloud"> of {escaped(title)}</span></summary>{rows and f"<dl>{rows}</dl>"}{command}</details>
 """
 
@@ -227,7 +229,7 @@ poster="../animations/{name}/frames{suffix}/{frames[-1].name}" aria-label="{esca
 
     def show_rest(self):
         for chapter in sorted(Path("chapters").glob("[0-9]*/")):
-            figures = [self.show_figure(layout.stem) for layout in sorted(chapter.glob("figures/*.gp"))]
+            figures = [self.show_figure(layout.stem) for layout in LAYOUTS if layout.parts[-3] == chapter.name]
             self.sections.append([read_heading(chapter / "README.md"), "".join(figures)])
         for heading, files, show in (("Your own figures", "figures/*/*.txt", self.show_figure),
                                      ("More animations", "animations/*/*.txt", self.show_animation),

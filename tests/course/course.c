@@ -17,6 +17,8 @@
 // commands; ALL=1 shows all that needs work; WEB, NO_COLOR, TERM, COLUMNS (page.h); GDB_FLAGS.
 #include "tests/course/course.h"
 
+#include "common/toolkit_file.h"
+
 #include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -91,10 +93,12 @@ static int get_hint(const char *hints, const char *function, int number, char hi
 
 // state: a file that remembers what was shown: the function and the hash of the answer's text, then
 // how many hints. Returns an exit status.
-static int hint_next(const Page *page, const char *stem, const char *hints, const char *function,
-                     const char *answer, const char *state)
+static int hint_next(const Page *page, const char *stem, const char *function, const char *answer,
+                     const char *state)
 {
-    char hint[LONGEST_HINT] = "";
+    char hint[LONGEST_HINT] = "", hints[MOST_PLAN_PATH];
+    if (!toolkit_file(hints, sizeof hints, NULL, path_of("exercises", stem, ".hints").s))
+        return 1;
     int total = get_hint(hints, function, 0, hint), shown = 0;
     if (total == 0) {
         fprintf(stderr, "%s: %s has no hints for %s. The lesson: chapters/%s/README.md\n", stem,
@@ -352,8 +356,8 @@ static int hint(const Course *course)
         page_part(&page, "hint", stem, none);
         page_terminal(&page, "%s %s: make exercises EX=%.2s\n", stem, none, stem);
     } else
-        status = hint_next(&page, stem, path_of("exercises", stem, ".hints").s, function->name,
-                           plan_answer(plan, chapter).s, plan_beside(plan, chapter, ".hint").s);
+        status = hint_next(&page, stem, function->name, plan_answer(plan, chapter).s,
+                           plan_beside(plan, chapter, ".hint").s);
     chapter_record_free(&record);
     return status;
 }

@@ -11,7 +11,8 @@ make_handout() {
 # The archive unpacked, and the names in it.
 look_into() {
     rm -rf "$scratch/tree" && mkdir "$scratch/tree" && tar xzf "$1" -C "$scratch/tree" &&
-        tar tzf "$1" >"$scratch/names"
+        tar xf "$scratch/tree/ray-casting/tests/given.tar" -C "$scratch/tree/ray-casting" --one-top-level=build &&
+        { tar tzf "$1"; tar tf "$scratch/tree/ray-casting/tests/given.tar" | sed 's|^|ray-casting/build/|'; } >"$scratch/names"
 }
 none_of_these() {
     ! grep -E "$1" "$scratch/names"
@@ -46,6 +47,10 @@ check 'it can be unpacked' look_into "$archive"
 check 'made in another tree with answers in exercises/, it has the same bytes' elsewhere
 unset SOURCE_DATE_EPOCH
 check 'all of it is in one folder' in_one_folder
+few_files() {
+    [ "$(tar tzf "$archive" | grep -vc '/$')" -le 300 ]
+}
+check 'it has at most 300 files' few_files
 check 'nobody owns it, and all of it has one date' nobody_s
 
 check 'there are no solutions, tests, mistakes, nor what makes the tables or grades in it' none_of_these \
@@ -103,9 +108,8 @@ check 'nor the engines of chapter 08, which are made of answers' none_of_these '
 # The right data are there for every figure: variables, and blocks of numbers.
 right_data_are_numbers() {
     status=0
-    mkdir "$scratch/right-figures" && tar xf "$scratch/tree/ray-casting/tests/tables/right-figures.tar" -C "$scratch/right-figures"
     for layout in chapters/*/figures/*.gp; do
-        data=$scratch/right-figures/${layout##*/}
+        data=$scratch/tree/ray-casting/build/right-figures/${layout##*/}
         [ -s "$data" ] || { echo "$data"; status=1; }
         awk '/^\$[a-z_0-9]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
             inside && /^# a PNG in base64$/ { inside = 2 }
