@@ -77,7 +77,14 @@ NOT_OURS := $(filter-out yes,$(OURS))
 ifneq ($(NOT_OURS),)
 $(error make cannot write to '$(NOT_OURS)' (was it made with sudo?): remove the folder 'build' (sudo rm -rf build), or take a copy of the tree that is yours)
 endif
+ifneq ($(wildcard tests/given.tar),)
+$(shell [ -e build/given ] && [ ! tests/given.tar -nt build/given ] || { tar xmf tests/given.tar -C build && touch -r tests/given.tar build/given; })
 endif
+endif
+# What only programs read (layouts, scenes, hints, tables) is one file in a handout, and is unpacked where programs look
+# for it (common/toolkit_file.h). So are the laws and the blanks.
+GIVEN := $(if $(wildcard tests/given.tar),build/)
+vpath %/laws.c build
 
 # ---- compiling --------------------------------------------------------------------------------
 
@@ -148,13 +155,10 @@ $(B)/common.a $(B)/chapters/shared.a:
 
 # If a folder lacks an answer, the blank is used.
 BLANKS := $(STEMS:%=build/blanks/%.c)
-# Blanks are made from the solutions; a handout has them made.
+# Blanks are made from the solutions.
 build/blanks/%.c: solutions/%.c solutions/make_blank
 	$(Q)mkdir -p $(@D)
 	$(Q)solutions/make_blank $< > $@
-build/blanks/%.c: tests/tables/blanks.tar
-	$(Q)mkdir -p $(@D)
-	$(Q)tar xOf $< $*.c > $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (tests/course/judging.c).
