@@ -14,10 +14,8 @@ int main(int argc, char **argv)
 }
 #else
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/figures/figures.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
-#include "chapters/shared/scene_command.h"
 #include "common/clock.h"
 #include "common/text.h"
 

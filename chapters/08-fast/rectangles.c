@@ -1,7 +1,6 @@
 // rectangles.c - where the spheres of a scene are on the screen, in numbers.
 #include "chapters/08-fast/rectangles.h"
 
-#include "chapters/08-fast/figures/figures.h"
 #include "chapters/shared/example.h"
 #include "common/answers.h"
 #include "common/story.h"

@@ -2,8 +2,7 @@
 // touch it.
 //
 // On the paper x goes ahead of the eye and y to the left, so the left edge of the screen is above.
-#include "chapters/08-fast/figures/figures.h"
-
+#include "chapters/08-fast/rectangles.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
