@@ -20,7 +20,7 @@
 
 // ---- numbers and their names --------------------------------------------------------------------
 
-enum { MOST_NAMES = 200, MOST_DIGITS = 15 };
+enum { MOST_NAMES = 200 };
 
 static NamedNumber numbers[MOST_NAMES];
 static int number_count;
@@ -87,16 +87,6 @@ static void result(const char *name, double x, int digits)
 static void option(const char *name, vec3 v)
 {
     text(name, "%s,%s,%s", number_text(v[0]).s, number_text(v[1]).s, number_text(v[2]).s);
-}
-
-// So many digits that two different numbers do not look alike; most if they are the same.
-static int digits_to_tell(double x, double y)
-{
-    int digits = SHOWN_DIGITS;
-    while (digits < MOST_DIGITS &&
-           strcmp(number_shown_to(x, digits).s, number_shown_to(y, digits).s) == 0)
-        digits++;
-    return digits;
 }
 
 // ---- the camera ---------------------------------------------------------------------------------

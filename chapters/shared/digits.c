@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEW = 4, MOST = 12 };
+enum { FEW = SHOWN_DIGITS, MOST = 12 };
 
 int place_digits(Resolution screen)
 {
@@ -36,12 +36,16 @@ int coefficient_digits(Quadratic q)
     return MOST;
 }
 
-int root_digits(Roots roots)
+int digits_to_tell(double x, double y)
 {
     int digits = FEW;
-    while (roots.count == 2 && roots.t[0] != roots.t[1] && digits < MOST &&
-           strcmp(number_shown_to(roots.t[0], digits).s, number_shown_to(roots.t[1], digits).s) ==
-               0)
+    while (digits < MOST && strcmp(number_shown_to(x, digits).s, number_shown_to(y, digits).s) == 0)
         digits++;
     return digits;
+}
+
+int root_digits(Roots roots)
+{
+    return roots.count == 2 && roots.t[0] != roots.t[1] ? digits_to_tell(roots.t[0], roots.t[1])
+                                                        : FEW;
 }

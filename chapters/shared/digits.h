@@ -12,6 +12,9 @@ int place_digits(Resolution screen);
 // Of a, b and c: those that are shown give b^2 - 4ac, to a hundredth of it.
 int coefficient_digits(Quadratic q);
 
+// So many that two different numbers do not look alike; most if they are the same.
+int digits_to_tell(double x, double y);
+
 // The two roots do not look alike.
 int root_digits(Roots roots);
 
