@@ -40,19 +40,17 @@ function completeFrom(contract) {
 /**
  * @param {object} of
  * @param {HTMLElement} of.place
- * @param {URL} of.styles the editor's style sheet
  * @param {string} of.label read aloud
  * @param {string} of.text
  * @param {string} of.contract the header of the exercise: its functions are completed
  * @param {(text: string) => void} of.onChange the student changed the text
  * @param {() => void} of.onJudge Ctrl-Enter or Cmd-Enter
  */
-export function openEditor({ place, styles, label, text, contract, onChange, onJudge }) {
+export function openEditor({ place, label, text, contract, onChange, onJudge }) {
     // In a shadow root CodeMirror's styles are constructed style sheets, which the site's policy allows.
     const shadow = place.attachShadow({ mode: "open", delegatesFocus: true });
-    const link = Object.assign(document.createElement("link"), { rel: "stylesheet", href: styles.href });
     const parent = Object.assign(document.createElement("div"), { className: "place" });
-    shadow.append(link, parent);
+    shadow.append(document.querySelector("link[rel=stylesheet]").cloneNode(), parent);
     const judge = { run: () => { onJudge(); return true; }, preventDefault: true };
     const view = new EditorView({
         parent,

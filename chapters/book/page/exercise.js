@@ -34,7 +34,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     if (answers.text(stem) !== null)
         editor.replace(answers.text(stem));
     const ofEditor = {
-        place: $("editor"), styles: new URL("editor.css", site), contract: $("panel-contract").textContent,
+        place: $("editor"), contract: $("panel-contract").textContent,
         label: `Your answer, ${stem}.c. Escape and then Tab leaves the editor.`,
         onJudge: () => judge(),
         onChange(text) {

@@ -121,7 +121,7 @@ export function setUpLiveScene({ stem, site, course, answers, ask }) {
         written.hidden = !written.hidden;
         if (!editor) {
             const { openEditor } = await import("./editor.js");
-            editor = openEditor({ place: written, styles: new URL("editor.css", site), contract: "", text, label: "The scene, in NFF. Escape and then Tab leaves the editor.",
+            editor = openEditor({ place: written, contract: "", text, label: "The scene, in NFF. Escape and then Tab leaves the editor.",
                 onJudge() {}, onChange: (other) => show(other, { keepsView: viewpoint(other) === viewpoint(text), isFromEditor: true }) });
         }
         if (!written.hidden)

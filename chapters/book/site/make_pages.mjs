@@ -356,5 +356,5 @@ if (!allHtml.includes('class="katex'))
 const serif = packageFolder("@fontsource/source-serif-4");
 for (const kind of ["400-normal", "400-italic", "600-normal"])
     copyFileSync(join(serif, `files/source-serif-4-latin-${kind}.woff2`), join(site, "fonts", `source-serif-${kind}.woff2`));
-for (const name of ["style.css", "editor.css", "lecture.css", "early.js", "icon.svg"])
+for (const name of ["style.css", "lecture.css", "early.js", "icon.svg"])
     copyFileSync(new URL(`../page/${name}`, import.meta.url), join(site, name));
