@@ -188,6 +188,7 @@ button:focus-visible, input:focus-visible { outline: 3px solid var(--blue, #0069
 :host(.on-slide) .steps { display: none; }
 :host(.on-slide) .bar { position: absolute; z-index: 1; inset: auto 12px 6px 12px; border: 1px solid var(--line, #d0d6dc); border-radius: 0.4rem; font-size: 18px; visibility: var(--bar, hidden); }
 @media (prefers-reduced-motion: no-preference) { .handle::before { transition: inset 0.1s, opacity 0.1s; } }
+@media print { .bar, .handles { display: none; } }
 @media (forced-colors: active) { .handle::before { border-color: Highlight; opacity: 1; } }
 `;
 
