@@ -45,7 +45,7 @@ export class SceneView {
         this.opened = { program, scene };
         if (!keepsView)
             this.view = null; // until the first tile says it
-        return this.draw(isOther);
+        return program && scene ? this.draw(isOther) : undefined; // the other one is on its way
     }
 
     /** The camera moves. */

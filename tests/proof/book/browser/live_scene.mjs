@@ -136,6 +136,18 @@ test("a scene beside the exercise", async (t) => {
         await replaceText(tab, right, { judge: true });
         await fine("a picture again", ({ credit }) => /trace_ray/.test(credit) && !/not right/.test(credit));
     });
+    await t.test("while the compiler is fetched, no picture is missing", async () => {
+        await tab.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.unregister());
+        const go = host.hold(/compiler/), before = host.sent.requests.length, page = await openPage("04-pixel-ray.html", { width: 1440, height: 900 });
+        await waitFor("a panel", () => page.$(".live-scene"));
+        await page.press("#reset + button");
+        await waitFor("its scene", () => host.sent.requests.slice(before).some((path) => /three-spheres/.test(path)));
+        await new Promise((resolve) => setTimeout(resolve, 1000));
+        assert.deepEqual(await page.$eval(".live-scene", (each) => [each.querySelector(".note").textContent, each.querySelector("canvas").hasAttribute("data-fine")]), ["", false]);
+        go();
+        await waitFor("a picture by the answers", () => page.$eval(".live-scene", (each) => /^Yours: .*trace_ray/.test(each.querySelector(".credit").textContent) && each.querySelector("canvas[data-fine]")));
+        await page.close();
+    });
     await t.test("nothing went wrong in the page", () => assert.deepEqual(tab.faults, []));
 });
 
