@@ -21,8 +21,8 @@ answerQuestions({
         return drawing.drawMoved({ program: chapter, stem, name, ...wanted });
     },
     /** A figure of a verdict, whose script the judge has written. */
-    async script({ script, theme }) {
-        return (await figures()).drawScript(script, { theme });
+    async script({ script, ...wanted }) {
+        return (await figures()).drawScript(script, wanted);
     },
     async numbers({ name, options }) {
         return { numbers: lessonNumbers(await program("numbers"), name, options) };

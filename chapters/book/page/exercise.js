@@ -144,12 +144,13 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         place.replaceChildren(...wanted.map(({ figure }) => figure));
     }
     async function drawFigure(script, theme) {
-        const { svg, words } = await drawer.ask({ do: "script", script, theme });
+        const { svg, words } = await drawer.ask({ do: "script", script, theme, shape: "4:3" }); // its place is narrow
         return { bytes: svg, words };
     }
     function pictured({ bytes, type, words, caption }) {
         const src = URL.createObjectURL(new Blob([bytes], { type }));
-        return element("figure", {}, element("img", { src, alt: words }), ...caption ? [element("figcaption", {}, caption)] : []);
+        const larger = element("a", { href: src, target: "_blank", title: "Larger, in another tab" }, element("img", { src, alt: words }));
+        return element("figure", {}, larger, ...caption ? [element("figcaption", {}, caption)] : []);
     }
 
     function show(verdict, text) {
