@@ -16,8 +16,8 @@ export function saveAs(name, blob) {
     link.remove();
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
-/** A formula at the beginning keeps its letter. */
-export const sentence = (words) => words.replace(/^[a-z](?=[a-z])/, (letter) => letter.toUpperCase()) + (/[.?!]$/.test(words) ? "" : ".");
+/** A formula at the beginning keeps its letter: "a is 0", but "A picture". */
+export const sentence = (words) => words.replace(/^([a-z](?=[a-z])|a(?= (?!is )[a-z]{2}))/, (letter) => letter.toUpperCase()) + (/[.?!]$/.test(words) ? "" : ".");
 /** A ~ holds a name and its number together. */
 const spoken = (words) => words.replaceAll("~", "\u00a0");
 const wordsOf = (parts, ...names) => parts.find(({ kind, label }) => names.includes(kind === "field" ? label : kind))?.words ?? "";
@@ -131,7 +131,7 @@ export function shown(verdict, stem, text, goTo) {
     const details = name ? [element("h4", {}, element("code", {}, name)), ...detailsOf(parts)] : detailsOf(parts);
     const trouble = parts.find(({ kind }) => kind === "trouble"), at = line || (trouble && messages[0]?.line) || 0;
     if (trouble)
-        details.push(element("p", {}, messages[0]?.help ?? "", ` ${trouble.label} ${trouble.words}.`));
+        details.push(element("p", {}, messages[0]?.help ? sentence(messages[0].help.trim()) : "", ` ${trouble.label} ${trouble.words}.`));
     for (const each of messages.slice(trouble ? 1 : 0))
         details.push(element("p", {}, lineButton(each.line), ` ${sentence(each.message)}${each.help}`));
     if (said && messages.length === 0)
@@ -143,5 +143,5 @@ export function shown(verdict, stem, text, goTo) {
 export function wayOn(stem, { stems, titles }) {
     const next = stems[stems.indexOf(stem) + 1], hasGallery = document.documentElement.dataset.figures !== "static";
     return [element("a", { class: "begin", href: next ? `${next}.html` : "index.html" }, next ? `Go on: ${titles[next]}` : "To the start page"),
-        ...(hasGallery ? [" ", element("a", { class: "button", href: `mistakes.html#${stem}` }, "Look at what can go wrong")] : [])];
+        ...(hasGallery ? [element("a", { class: "button", href: `mistakes.html#${stem}` }, "Look at what can go wrong")] : [])];
 }

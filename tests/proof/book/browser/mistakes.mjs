@@ -88,6 +88,7 @@ test("the gallery of known mistakes", async (t) => {
                 await tab.press("#compare");
                 assert.notEqual(await picture(), wrong, `${what} The picture is right.`);
                 const { choose, count, found } = await guess();
+                assert.deepEqual(await tab.$$eval("#choices p", (all) => all.map((each) => each.textContent).filter((words) => /(^|\. )a (?!is )[a-z]{2}/.test(words))), [], "a sentence has a capital");
                 for (let number = 1; number <= count; number++) {
                     await choose(number);
                     if (number === found)
