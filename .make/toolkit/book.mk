@@ -15,7 +15,7 @@ BOOK := build/book$(FROM:%=-%)
 INSTEAD := chapters/book/instead
 WASM_EMULATED := signal mman process-clocks getpid
 WASM_LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -I. -isystem $(INSTEAD)/include \
-	-isystem $(WASM)/include -include $(INSTEAD)/c_library.h \
+	-isystem $(WASM)/include -include $(INSTEAD)/system.h \
 	-ffunction-sections -fdata-sections $(foreach e,SIGNAL MMAN PROCESS_CLOCKS GETPID,-D_WASI_EMULATED_$(e))
 WASM_OPTIMIZE = -O2
 WASM_COMPILE = $(WASM_CC) $(WASM_LANGUAGE) $(WASM_OPTIMIZE) $(STRICT) $(WERROR) $(WASM_EXTRA) -MMD -MP -c
@@ -33,7 +33,7 @@ wasm-is-here:
 	@echo 'int main(void) { return 0; }' | $(WASM_CC) -x c -o /dev/null - 2>/dev/null || \
 		{ echo "make book needs clang and a C library for WebAssembly: 'make setup FOR=book' installs them" >&2; exit 1; }
 .PHONY: wasm-is-here
-# Headers that the C library lacks are empty: what is used of them is in c_library.h.
+# Headers that the C library lacks are empty: what is used of them is in system.h.
 LACKING := $(addprefix $(WASM)/include/,pthread.h sys/ioctl.h sys/wait.h)
 $(LACKING):
 	$(Q)mkdir -p $(@D) && touch $@
@@ -42,9 +42,8 @@ $(WASM)/%.o: %.c .make/toolkit/book.mk | wasm-is-here $(LACKING)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -o $@ $<
 
-# Linked before the C library, so what c_library.c has is ours.
-$(WASM)/common.a: $(call wasm_objects,$(filter-out %/toolkit_file.c %/whole_file.c,$(wildcard common/*.c common/figure/*.c)) \
-	$(INSTEAD)/files.c $(INSTEAD)/c_library.c)
+# Linked before the C library, so what system.c has is ours.
+$(WASM)/common.a: $(call wasm_objects,$(filter-out %/toolkit_file.c %/whole_file.c,$(wildcard common/*.c common/figure/*.c)) $(INSTEAD)/system.c)
 $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^

@@ -1,7 +1,7 @@
-// c_library.h - what WebAssembly's C library lacks; included in front of every file, in the place
+// system.h - what WebAssembly's C library lacks; included in front of every file, in the place
 // of pthread.h, sys/ioctl.h and sys/wait.h, which are empty.
-#ifndef CHAPTERS_BOOK_INSTEAD_C_LIBRARY_H
-#define CHAPTERS_BOOK_INSTEAD_C_LIBRARY_H
+#ifndef CHAPTERS_BOOK_INSTEAD_SYSTEM_H
+#define CHAPTERS_BOOK_INSTEAD_SYSTEM_H
 
 #include <stddef.h>
 #include <sys/types.h>
@@ -24,7 +24,9 @@ struct winsize {
 #define TIOCGWINSZ 0
 #define ioctl(file, request, into) ((void)(file), (void)(into), -1)
 
-// Locks: nobody else runs.
+// Threads: there are none, so nobody waits for a lock (a page has a pool of Workers, cast/pool.js).
+#define pthread_create(thread, how, run, given) (*(thread) = NULL, (void)(run), -1)
+#define pthread_join(thread, into) ((void)(thread))
 #define PTHREAD_MUTEX_INITIALIZER                                                                  \
     {                                                                                              \
         0                                                                                          \
