@@ -7,6 +7,7 @@ import { run } from "./wasi.js";
 
 const [path, ...args] = process.argv.slice(2);
 const isFile = (name) => existsSync(name) && statSync(name).isFile();
+/** @type {Map<string, Uint8Array>} */
 const before = new Map(args.filter(isFile).map((name) => [name, readFileSync(name)]));
 for (const name of args.filter((name) => name.includes("/") && !isFile(name)))
     before.set(name, new Uint8Array(0));
