@@ -4,8 +4,8 @@
 // in node. A program is compiled once (a WebAssembly.Module), and each run is a fresh instance, so
 // nothing of a run is left but the files, which the caller gets back.
 
-const OK = 0, ACCESS = 2, BAD_FILE = 8, EXISTS = 20, INVALID = 28, IS_FOLDER = 31, NO_ENTRY = 44,
-    NOT_THERE = 52, NO_FOLDER = 54, NOT_EMPTY = 55, TOO_BIG = 22;
+const OK = 0, BAD_FILE = 8, EXISTS = 20, INVALID = 28, IS_FOLDER = 31, NO_ENTRY = 44,
+    NOT_THERE = 52, NO_FOLDER = 54, TOO_BIG = 22;
 const CHARACTERS = 2, FOLDER = 3, FILE = 4;
 const OPEN_CREATE = 1, OPEN_FOLDER = 2, OPEN_NEW = 4, OPEN_EMPTY = 8, APPEND = 1;
 const TOP = 3; // the descriptor of the folder of all files
@@ -117,7 +117,8 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, printe
         plainPath(`${open[folder]?.folder ?? ""}/${text.decode(bytes(at, size).slice())}`);
     const buffers = (at, count) => Array.from({ length: count }, (_, i) =>
         bytes(view().getUint32(at + 8 * i, true), view().getUint32(at + 8 * i + 4, true)));
-    const file_of = (number) => open[number]?.file;
+    const opened = (does) => (fd, ...given) => open[fd] ? does(open[fd], ...given) : BAD_FILE;
+    const with_file = (does) => opened((it, ...given) => it.file ? does(it, ...given) : BAD_FILE);
     const size_put = (at, size) => { view().setUint32(at, size, true); return OK; };
 
     function read(file, at, list, count) {
@@ -167,50 +168,28 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, printe
             return size_put(at + 4, 1);
         },
         fd_prestat_dir_name(fd, at) { bytes(at, 1)[0] = "/".charCodeAt(0); return fd === TOP ? OK : BAD_FILE; },
-        fd_fdstat_get(fd, at) {
-            if (!open[fd])
-                return BAD_FILE;
+        fd_fdstat_get: opened(({ is, flags = 0 }, at) => {
             bytes(at, 24).fill(0);
-            view().setUint8(at, open[fd].is);
-            view().setUint16(at + 2, open[fd].flags ?? 0, true);
+            view().setUint8(at, is);
+            view().setUint16(at + 2, flags, true);
             view().setBigUint64(at + 8, ~0n, true);
             view().setBigUint64(at + 16, ~0n, true);
             return OK;
-        },
-        fd_fdstat_set_flags(fd, flags) {
-            if (!open[fd])
-                return BAD_FILE; open[fd].flags = flags; return OK;
-        },
-        fd_close(fd) {
-            if (!open[fd])
-                return BAD_FILE; open[fd] = undefined; return OK;
-        },
-        fd_filestat_get(fd, at) {
-            const it = open[fd];
-            if (!it)
-                return BAD_FILE;
-            return it.file ? stat(at, it.is, it.file.number, it.file.size) : stat(at, FOLDER, files.folders.get(it.folder), 0);
-        },
-        fd_filestat_set_size(fd, size) {
-            if (!file_of(fd))
-                return BAD_FILE; file_of(fd).resize(Number(size)); return OK;
-        },
-        fd_filestat_set_times: () => OK,
-        fd_read(fd, list, count, at) {
-            const it = open[fd];
-            if (!it?.file)
-                return it ? IS_FOLDER : BAD_FILE;
+        }),
+        fd_fdstat_set_flags: opened((it, flags) => { it.flags = flags; return OK; }),
+        fd_close(fd) { return open[fd] && delete open[fd] ? OK : BAD_FILE; },
+        fd_filestat_get: opened(({ is, file, folder }, at) =>
+            file ? stat(at, is, file.number, file.size) : stat(at, FOLDER, files.folders.get(folder), 0)),
+        fd_filestat_set_size: with_file(({ file }, size) => { file.resize(Number(size)); return OK; }),
+        fd_read: opened((it, list, count, at) => {
+            if (!it.file)
+                return IS_FOLDER;
             const moved = read(it.file, it.at, list, count);
             it.at += moved;
             return size_put(at, moved);
-        },
-        fd_pread(fd, list, count, from, at) {
-            return file_of(fd) ? size_put(at, read(file_of(fd), Number(from), list, count)) : BAD_FILE;
-        },
-        fd_write(fd, list, count, at) {
-            const it = open[fd];
-            if (!it?.file)
-                return BAD_FILE;
+        }),
+        fd_pread: with_file(({ file }, list, count, from, at) => size_put(at, read(file, Number(from), list, count))),
+        fd_write: with_file((it, list, count, at) => {
             if (it.flags & APPEND)
                 it.at = it.file.size;
             const moved = write(it.file, it.at, list, count);
@@ -218,17 +197,14 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, printe
                 return TOO_BIG;
             it.at += moved;
             return size_put(at, moved);
-        },
-        fd_seek(fd, by, whence, at) {
-            const it = open[fd];
-            if (!it?.file)
-                return BAD_FILE;
+        }),
+        fd_seek: with_file((it, by, whence, at) => {
             if (it.is === CHARACTERS)
                 return 70; // ESPIPE
             it.at = Number(by) + [0, it.at, it.file.size][whence];
             view().setBigUint64(at, BigInt(it.at), true);
             return OK;
-        },
+        }),
         fd_readdir(fd, at, size, cookie, used) {
             const folder = open[fd]?.folder;
             if (folder === undefined)
@@ -281,7 +257,7 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, printe
             return file ? stat(into, FILE, file.number, file.size)
         : files.folders.has(path) ? stat(into, FOLDER, files.folders.get(path), 0) : NO_ENTRY;
         },
-        path_readlink: () => INVALID, path_link: () => ACCESS, path_symlink: () => ACCESS,
+        path_readlink: () => INVALID,
         path_unlink_file(folder, at, size) { return files.remove(path_of(folder, at, size)) ? OK : NO_ENTRY; },
         path_create_directory(folder, at, size) {
             const path = path_of(folder, at, size);
@@ -289,12 +265,6 @@ export function wasi({ args = ["program"], files = new Files(), env = {}, printe
                 return EXISTS;
             files.addFolder(path);
             return OK;
-        },
-        path_remove_directory(folder, at, size) {
-            const path = path_of(folder, at, size);
-            if ([...files.files.keys(), ...files.folders.keys()].some((other) => other.startsWith(path + "/")))
-                return NOT_EMPTY;
-            return files.folders.delete(path) ? OK : NO_ENTRY;
         },
         path_rename(folder, at, size, other, to, length) {
             const from = path_of(folder, at, size), file = files.files.get(from);
