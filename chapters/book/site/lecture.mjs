@@ -24,22 +24,11 @@ const KEYS = [["→ Space PageDown", "next"], ["← PageUp", "back"], ["Home, En
     ["V", "the film of the slide"], ["P", "paste a student's line: it is judged, and drawn"], ["T", "light or dark"], ["?", "these keys"]];
 
 /**
- * @param {{slides: string, films: string[], head: string, policy: string, isStatic: boolean}} given films: names of those that the site has
+ * @param {{slides: string, films: string[], head: string}} given films: names of those that the site has
  */
-export function lecturePage({ slides, films, head, policy, isStatic }) {
+export function lecturePage({ slides, films, head }) {
     const withFilms = slides.replace(/ data-film="([^"]*)"/g, (whole, name) => (films.includes(name) ? whole : ""));
-    return `<!DOCTYPE html>
-<html lang="en" data-kind="lecture"${isStatic ? ' data-figures="static"' : ""}>
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="${escape(policy)}">
-<meta name="color-scheme" content="light dark">
-${head}
-<link rel="stylesheet" href="style.css">
-<link rel="stylesheet" href="mathematics.css">
-<link rel="stylesheet" href="lecture.css">
-<script src="early.js"></script>
+    return `${head}
 <script src="lecture.js" defer></script>
 </head>
 <body>

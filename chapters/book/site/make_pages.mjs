@@ -67,31 +67,33 @@ const ABOUT = "Write a ray caster in C, one function at a time: short lessons wi
 /** Without these a text would be laid out twice. */
 const fonts = (mathematics) => ["source-serif-400-normal", "source-serif-600-normal", ...(mathematics ? ["KaTeX_Main-Regular", "KaTeX_Math-Italic"] : [])];
 
-/** For browsers, search engines, and who is sent a link. */
-const head = (title, about, up = "") => `<title>${escape(title)}</title>
+/** For browsers, search engines, and who is sent a link; more: what this page loads. */
+const head = ({ title, attributes, about = ABOUT, up = "", policy = POLICY, more }) => `<!DOCTYPE html>
+<html lang="en"${attributes}${isHandout ? ' data-figures="static"' : ""}>
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1, interactive-widget=resizes-content">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<meta name="color-scheme" content="light dark">
+<title>${escape(title)}</title>
 <meta name="description" content="${about}">
 <meta property="og:title" content="${escape(title)}">
 <meta property="og:description" content="${about}">
 <meta property="og:image" content="${address || up}share.png">
 <meta name="twitter:card" content="summary_large_image">
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
-<link rel="manifest" href="${up}course.webmanifest">`;
+<link rel="manifest" href="${up}course.webmanifest">
+<link rel="stylesheet" href="${up}style.css">
+${more}<script src="${up}early.js"></script>`;
 
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
     const chapters = (asList) => stems.map((other) => `<li data-stem="${other}"><a href="${up}${other}.html"${other === stem ? ' aria-current="page"' : ""}` + (asList
         ? `><span class="number">${other.slice(0, 2)}</span> <span>${escape(shortTitle(other))}</span> <span class="done">${countOf(other)}</span></a></li>`
         : ` title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`)).join("");
     const about = escape(stem ? `You write ${lessons[stem].gives.replaceAll("`", "")}.` : ABOUT);
-    return `<!DOCTYPE html>
-<html lang="en" data-up="${up}" data-kind="${kind}"${isHandout ? ' data-figures="static"' : ""}${stem && ` data-stem="${stem}"`}>
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1, interactive-widget=resizes-content">
-<meta http-equiv="Content-Security-Policy" content="${POLICY}">
-<meta name="color-scheme" content="light dark">
-${head(title, about, up)}
-<link rel="stylesheet" href="${up}style.css">
-${fonts(mathematics).map((font) => `<link rel="preload" href="${up}fonts/${font}.woff2" as="font" type="font/woff2" crossorigin>\n`).join("")}${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
+    const more = fonts(mathematics).map((font) => `<link rel="preload" href="${up}fonts/${font}.woff2" as="font" type="font/woff2" crossorigin>\n`).join("") +
+        (mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : "");
+    return `${head({ title, attributes: ` data-up="${up}" data-kind="${kind}"${stem && ` data-stem="${stem}"`}`, about, up, more })}
 <script type="module" src="${up}page.js"></script>
 </head>
 <body>
@@ -285,7 +287,8 @@ if (!isHandout) {
     mkdirSync(join(site, "films"), { recursive: true });
     for (const file of films.flatMap((name) => [`${name}/${name}.mp4`, `${name}/${name}-dark.mp4`]).filter((name) => existsSync(join(filmsFolder, name))))
         copyFileSync(join(filmsFolder, file), join(site, "films", file.split("/")[1]));
-    write("lecture.html", lecturePage({ slides, films, head: head("Lecture · Ray casting", ABOUT), policy: `${POLICY}; media-src 'self'`, isStatic: isHandout }));
+    const more = '<link rel="stylesheet" href="mathematics.css">\n<link rel="stylesheet" href="lecture.css">\n';
+    write("lecture.html", lecturePage({ slides, films, head: head({ title: "Lecture · Ray casting", attributes: ' data-kind="lecture"', policy: `${POLICY}; media-src 'self'`, more }) }));
 }
 
 // In the order of the lecture, and those that it does not show at the end of their chapter's (08's at the very end). A handout has no lecture.
