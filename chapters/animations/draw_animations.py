@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 sys.path.append("chapters/gallery")
-from jobs import beside_each_other, end_with_programs, run  # noqa: E402 - found from there on
+from jobs import beside_each_other, end_with_programs, is_newer, run, wanted  # noqa: E402 - found from there on
 
 TURNS, TURN_SECONDS = 90, 6
 MOST_BYTES = 3000000
@@ -45,10 +45,6 @@ FORMATS = {
 def fail(words, status=1):
     print(words, file=sys.stderr)
     sys.exit(status)
-
-
-def is_newer(path, *others):
-    return path.exists() and all(path.stat().st_mtime_ns > other.stat().st_mtime_ns for other in others)
 
 
 def in_words(said):
@@ -158,10 +154,6 @@ class Animation:
               f"{'' if drawn_now else ' (all were there)'}", flush=True)
 
 
-def words_of(variable, otherwise):
-    return (os.environ.get(variable) or otherwise).replace(",", " ").split()
-
-
 def turns():
     """FRAMES: of a turntable."""
     text = os.environ.get("FRAMES") or str(TURNS)
@@ -171,9 +163,6 @@ def turns():
 
 
 def check_formats(formats):
-    for format in formats:
-        if format not in FORMATS:
-            fail(f"FORMAT={format}: expected mp4, webm, gif, apng or png", 2)
     for format in formats:
         encoder = FORMATS[format][0]
         if encoder is None:
@@ -190,10 +179,7 @@ def check_formats(formats):
 def main():
     folder, *names = sys.argv[1:]
     folder = Path(folder)
-    formats, themes = words_of("FORMAT", "mp4,webm,gif"), words_of("THEME", "light,dark")
-    for theme in themes:
-        if theme not in ("light", "dark"):
-            fail(f"THEME={theme}: expected light or dark", 2)
+    formats, themes = wanted("FORMAT", "mp4,webm,gif", FORMATS), wanted("THEME", "light,dark", ("light", "dark"))
     folder.mkdir(exist_ok=True)
     end_with_programs()
     os.environ["LC_ALL"] = "C.UTF-8"

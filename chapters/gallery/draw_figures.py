@@ -18,7 +18,7 @@ from collections import namedtuple
 from pathlib import Path
 
 import latex_picture
-from jobs import beside_each_other, end_with_programs, run
+from jobs import beside_each_other, end_with_programs, is_newer, run, wanted
 
 ALL_STEPS = 1000
 AT_ONCE = 16  # pictures by one gnuplot, which takes as long to begin as to draw one
@@ -30,16 +30,6 @@ Picture = namedtuple("Picture", "name output format theme shape step")
 
 class NotDrawn(Exception):
     """With its message."""
-
-
-def wanted(variable, by_default, allowed):
-    """The words of a variable, which may be these."""
-    words = (os.environ.get(variable) or by_default).replace(",", " ").split()
-    for word in words or ["nothing"]:
-        if word not in allowed:
-            print(f"make figures: {variable}={word}: expected {', '.join(allowed)}", file=sys.stderr)
-            sys.exit(2)
-    return words
 
 
 def has_font():
@@ -85,8 +75,7 @@ class Drawing:
     def is_drawn(self, picture):
         """Whether it is newer than the copy of the script that it was drawn from, and than this program."""
         path = self.home(picture.name) / f"{picture.output}.{picture.format}"
-        return path.exists() and all(path.stat().st_mtime_ns > other.stat().st_mtime_ns
-                                     for other in (self.drawn / f"{picture.name}.gp", *SOURCES))
+        return is_newer(path, self.drawn / f"{picture.name}.gp", *SOURCES)
 
     def complaint(self, name, said):
         """gnuplot's messages, with the lines of the layout: gnuplot counts those of the script. For a command on

@@ -13,6 +13,8 @@ import struct
 import sys
 from pathlib import Path
 
+from jobs import is_newer
+
 FORMATS = {"svg": "SVG", "pdf": "PDF", "png": "PNG", "tex": "TeX"}
 VIDEOS = {"mp4": "MP4", "webm": "WebM", "gif": "GIF", "apng": "APNG"}
 NARROW, DARK = "(max-width: 600px)", "(prefers-color-scheme: dark)"
@@ -27,10 +29,6 @@ def escaped(text):
 def href(name):
     """A link to a file whose name may have letters that mean something in a link."""
     return escaped(re.sub("[%#?]", lambda letter: f"%{ord(letter[0]):02X}", name))
-
-
-def is_newer(path, other):
-    return path.exists() and other.exists() and path.stat().st_mtime_ns > other.stat().st_mtime_ns
 
 
 def read_words(path):

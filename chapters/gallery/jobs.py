@@ -1,4 +1,4 @@
-"""jobs.py - runs programs beside each other, as many as there are processors, and says how far it is."""
+"""jobs.py - what draws pictures: runs programs beside each other, as many as there are processors, and says how far it is."""
 import os
 import signal
 import subprocess
@@ -7,6 +7,20 @@ import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
 _running = set()
+
+
+def wanted(variable, by_default, allowed):
+    """The words of a variable in the environment, with commas between, which may be these."""
+    words = (os.environ.get(variable) or by_default).replace(",", " ").split()
+    for word in words or ["nothing"]:
+        if word not in allowed:
+            print(f"{variable}={word}: expected {', '.join(allowed)}", file=sys.stderr)
+            sys.exit(2)
+    return words
+
+
+def is_newer(path, *others):
+    return path.exists() and all(other.exists() and path.stat().st_mtime_ns > other.stat().st_mtime_ns for other in others)
 
 
 def end_with_programs():

@@ -56,7 +56,7 @@ in_front_of_all() {
 check 'with an ffmpeg that lacks an encoder too' fails_with 3 in_front_of_all draw_in "$scratch/one" FORMAT=gif,webm
 check 'and says which' says "ffmpeg has no libvpx-vp9 here, so no webm can be made: 'make setup FOR=lecturer' installs it"
 check 'an unknown format is refused' fails_with 2 draw_in "$scratch/one" FORMAT=avi
-check 'and those that are known are named' says 'FORMAT=avi: expected mp4, webm, gif, apng or png'
+check 'and those that are known are named' says 'FORMAT=avi: expected mp4, webm, gif, apng, png'
 check 'an unknown theme is refused' fails_with 2 draw_in "$scratch/one" THEME=blue
 
 # The frames need no ffmpeg.
