@@ -35,8 +35,7 @@ int main(int argc, char **argv)
     }
     table_load(argv[1], &table);
     for (int i = 0; i < table.test_count; i++)
-        for (int k = 0; strcmp(table.tests[i].name, argv[3]) == 0 && exercises[k].name != NULL; k++)
-            if (strcmp(exercises[k].name, table.tests[i].function) == 0)
-                make_calls(k, &table.tests[i]);
+        if (strcmp(table.tests[i].name, argv[3]) == 0)
+            make_calls(exercise_number(table.tests[i].function), &table.tests[i]);
     return 0;
 }

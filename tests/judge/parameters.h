@@ -38,8 +38,7 @@
 
 // One thing for what is passed by value, another for pointers. Neither contains a comma.
 #define IF_VALUE(passing, yes, no) IF_VALUE_(VALUE_##passing, yes, no, ~)
-#define IF_VALUE_(...) THIRD_OF(__VA_ARGS__)
-#define THIRD_OF(a, b, c, ...) c
+#define IF_VALUE_(...) THIRD(__VA_ARGS__)
 #define VALUE_VALUE ~, ~
 
 // Of a function: its parameters, their names, and their addresses as void *, the elements of an

@@ -322,21 +322,10 @@ static void list_tests(Stem *stem)
 // A program that has the mistakes themselves (wrong.c) has those of the table.
 static void list_mistakes(Stem *stem)
 {
-    if (stem->known[WRONG_ANSWERS] != NULL)
-        return;
-    Mistake *known = calloc((size_t)table.mistake_count + 1, sizeof *known);
-    if (known == NULL)
-        abort();
-    for (int i = 0; i < table.mistake_count; i++) {
-        const TableMistake *it = &table.mistakes[i];
-        known[i] = (Mistake){.id = it->id,
-                             .exercise = it->function,
-                             .formula = it->formula,
-                             .why = it->why,
-                             .picture = it->picture,
-                             .next = i + 1 < table.mistake_count ? &known[i + 1] : NULL};
-    }
-    stem->known[WRONG_ANSWERS] = known;
+    for (int i = 0; i + 1 < table.mistake_count; i++)
+        table.mistakes[i].next = &table.mistakes[i + 1];
+    if (stem->known[WRONG_ANSWERS] == NULL && table.mistake_count > 0)
+        stem->known[WRONG_ANSWERS] = table.mistakes;
 }
 
 static void load(void)

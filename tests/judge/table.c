@@ -69,12 +69,13 @@ static void *carry_items(Stream *stream, void *items, int *count, size_t size)
     return items;
 }
 
-static void carry_text(Stream *stream, char **text)
+static void carry_text(Stream *stream, const char **text)
 {
     int length = stream->reading ? 0 : (int)strlen(*text);
-    *text = carry_items(stream, *text, &length, 1);
+    uint8_t *bytes = carry_items(stream, (char *)*text, &length, 1);
     for (int i = 0; i < length; i++)
-        carry_byte(stream, (uint8_t *)*text + i);
+        carry_byte(stream, bytes + i);
+    *text = (const char *)bytes;
 }
 
 static uint64_t bits_of(double number)
@@ -222,8 +223,8 @@ static bool carry(Stream *stream, Table *table)
     table->mistakes =
         carry_items(stream, table->mistakes, &table->mistake_count, sizeof *table->mistakes);
     for (int i = 0; i < table->mistake_count && !stream->bad; i++) {
-        TableMistake *mistake = &table->mistakes[i];
-        carry_text(stream, &mistake->function);
+        Mistake *mistake = &table->mistakes[i];
+        carry_text(stream, &mistake->exercise);
         stream->mask = UNREAD;
         carry_text(stream, &mistake->id);
         carry_text(stream, &mistake->formula);

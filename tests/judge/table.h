@@ -7,6 +7,7 @@
 #ifndef TESTS_JUDGE_TABLE_H
 #define TESTS_JUDGE_TABLE_H
 
+#include "tests/judge/known.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
 
@@ -14,8 +15,8 @@
 
 // One call of the function that a test is about.
 typedef struct Question {
-    char *given; // lines: name, tab, value
-    int hidden;  // it has random numbers of a SEED, which must not be shown
+    const char *given; // lines: name, tab, value
+    int hidden;        // it has random numbers of a SEED, which must not be shown
     Numbers arguments;
     Numbers *results; // the first is the right one; of the others question_result
 
@@ -38,21 +39,17 @@ typedef struct Question {
 } Question;
 
 typedef struct {
-    char *function, *name; // the sentence
-    int extra;             // costs no marks
-    int probe;             // nothing is expected
+    const char *function, *name; // the sentence
+    int extra;                   // costs no marks
+    int probe;                   // nothing is expected
     int question_count;
     Question *questions;
 } TableTest;
 
 typedef struct {
-    char *function, *id, *formula, *why, *picture; // known.h; no formulas in an archive
-} TableMistake;
-
-typedef struct {
     int test_count, mistake_count;
     TableTest *tests;
-    TableMistake *mistakes;
+    Mistake *mistakes; // their words; no formulas in an archive
     const char *stem;
     const unsigned char *bytes; // what is not read yet, in memory
     size_t size;

@@ -354,8 +354,8 @@ static Outcomes all;
 
 static void record_test(const Outcome *outcome, bool probe)
 {
-    TableTest test = {.function = (char *)outcome->function,
-                      .name = (char *)outcome->name,
+    TableTest test = {.function = outcome->function,
+                      .name = outcome->name,
                       .extra = outcome->extra,
                       .probe = probe};
     bool passed = passes(&test);
@@ -380,12 +380,9 @@ static void add_probes(int exercise)
 static void add_mistake(const Mistake *mistake, bool with_formula)
 {
     table.mistakes = table_grow(table.mistakes, &table.mistake_count, sizeof *table.mistakes);
-    table.mistakes[table.mistake_count - 1] =
-        (TableMistake){.function = (char *)mistake->exercise,
-                       .id = (char *)mistake->id,
-                       .formula = with_formula ? (char *)mistake->formula : "",
-                       .why = (char *)mistake->why,
-                       .picture = (char *)mistake->picture};
+    table.mistakes[table.mistake_count - 1] = *mistake;
+    if (!with_formula)
+        table.mistakes[table.mistake_count - 1].formula = "";
 }
 
 int main(int argc, char **argv)
