@@ -85,8 +85,7 @@ static void show_diagnosis(const Page *page, const FunctionRecord *function)
 {
     const char *why = function_value(function, "why"), *also = function_value(function, "also why");
     bool in_part = function_value(function, "partly")[0] != '\0';
-    if (why[0] != '\0') { // a handout's mistakes have no names
-
+    if (why[0] != '\0') {
         show_mistake(page, "looks like", function_value(function, "formula"), why,
                      in_part ? " (Something else is also not right yet.)" : "");
         page_field(page, PLAIN, "you'd see", function_value(function, "picture"));

@@ -38,9 +38,9 @@ typedef struct {
 } Diagnosis;
 Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that failed is
 
-// The first law that was broken by an exercise, in words; NULL if none was. hidden: even if it was
-// broken only in hidden tests; the words contain their numbers.
-const char *suspect_broke_law(int exercise, bool hidden);
+// The first law that was broken by an exercise, in words; NULL if none was. They may contain
+// numbers of a hidden test.
+const char *suspect_broke_law(int exercise);
 
 // A question was answered (questions.c).
 void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours);

@@ -88,7 +88,7 @@ static int run(const char *function, Outcomes *outcomes, bool extra)
 
 static void check_law(const char *what, const char *name, int exercise)
 {
-    const char *law = suspect_broke_law(exercise, true);
+    const char *law = suspect_broke_law(exercise);
     settle(law == NULL, what, name, law == NULL ? "" : law);
 }
 
@@ -446,7 +446,7 @@ static bool check_float(const char *function, bool arguments)
     run_tests(function, NULL, ANSWERS_APART, &some);
     bool passes = first_failed(&some) == NULL;
     if (!passes && has_probes(function)) {
-        const char *law = suspect_broke_law(exercise_number(function), true);
+        const char *law = suspect_broke_law(exercise_number(function));
         settle(law == NULL || !has_a_number_twice(law), "nothing differs in", function, law);
         Diagnosis it = diagnose(exercise_number(function), false);
         const char *words = it.mistake != NULL ? it.mistake->why : it.law != NULL ? it.law : "";
