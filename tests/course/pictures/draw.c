@@ -159,8 +159,10 @@ int main(int argc, char **argv)
         fprintf(stderr, "Usage: %s SPHERES.nff RECORDED.png NAME PICTURE.png\n", argv[0]);
         return EXIT_WRONG_USAGE;
     }
+#ifndef __wasm__ // in a page it would take too long
     if (fill_stack_with != NULL)
         fill_stack_with(0xfe);
+#endif
     if (!scene_load(argv[1], &view.scene, &message)) {
         fprintf(stderr, "%s\n", message.text);
         return EXIT_COULD_NOT;
