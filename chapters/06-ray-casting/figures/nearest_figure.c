@@ -17,25 +17,50 @@ typedef struct {
     double low[2], high[2];
 } Window;
 
+// What becomes of a sphere; not NEAREST: it is hit later.
+typedef enum { MISSED, BEHIND, HIT, NEAREST } Fate;
+
 // A sphere, turned around the ray into the paper, and measured in the ray's t.
 typedef struct {
     int sphere;
     double t, aside, radius; // aside: from the ray to the center
-    double hit;
+    Roots roots;
+    double hit, rgb;
+    Fate fate;
     bool part; // only its part in the window is drawn
 } Circle;
 
+// How far the ray is drawn.
+static double reach(const Shown *shown)
+{
+    double far = 1.2;
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
+        far = fmax(far, shown->hits[i].t);
+    return far;
+}
+
 static Circle circle_of(const Shown *shown, int sphere)
 {
-    Sphere s = shown->shot.scene->spheres[sphere];
+    const Scene *scene = shown->shot.scene;
+    Sphere s = scene->spheres[sphere];
     vec3 v = shown->ray.direction, p = s.center - shown->ray.origin;
     double length = vec3_length(v);
     double t = vec3_dot(p, v) / vec3_dot(v, v);
     vec3 off = p - t * v;
     double side = vec3_dot(off, shown->shot.camera.up) < 0 ? -1 : 1;
-    return (Circle){
-        sphere, t, side * vec3_length(off) / length, s.radius / length, hit_sphere(shown->ray, s),
-        false};
+    Circle c = {sphere,
+                t,
+                side * vec3_length(off) / length,
+                s.radius / length,
+                .roots = sphere_roots(shown->ray, s),
+                .hit = hit_sphere(shown->ray, s),
+                .rgb = rgb_number(scene_surface(scene, sphere)->color)};
+    bool is_nearest = shown->hit_count > 0 && shown->hits[0].sphere == sphere;
+    c.fate = c.roots.count == 0 ? MISSED : is_nearest ? NEAREST : c.hit < NO_HIT ? HIT : BEHIND;
+    // So far away or so large that everything else would be too small. Of a ground that is hit (a
+    // sphere of radius 1000), only the part near the hit is drawn.
+    c.part = fabs(c.t) + fabs(c.aside) + c.radius > 12 * reach(shown);
+    return c;
 }
 
 #define PASSED 1e9 // more than any t
@@ -47,24 +72,9 @@ static double far_off(const Shown *shown, Circle circle)
     if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
         return -1;
     if (circle.part)
-        return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]);
+        return circle.hit;
     double gap = fabs(circle.aside) - circle.radius;
     return gap > 0 ? PASSED + gap : fmin(fabs(circle.t), PASSED);
-}
-
-// How far the ray is drawn.
-static double reach(const Shown *shown)
-{
-    double far = 1.2;
-    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
-        far = fmax(far, shown->hits[i].t);
-    return far;
-}
-
-// So far away or so large that everything else would be too small.
-static bool out_of_reach(const Shown *shown, Circle circle)
-{
-    return fabs(circle.t) + fabs(circle.aside) + circle.radius > 12 * reach(shown);
 }
 
 static int choose_circles(const Shown *shown, Circle *circles)
@@ -72,9 +82,7 @@ static int choose_circles(const Shown *shown, Circle *circles)
     int count = 0;
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
         Circle circle = circle_of(shown, i);
-        // Of a ground that is hit (a sphere of radius 1000), only the part near the hit is drawn.
-        circle.part = out_of_reach(shown, circle);
-        if (circle.part && hit_sphere(shown->ray, shown->shot.scene->spheres[i]) > reach(shown))
+        if (circle.part && circle.hit > reach(shown))
             continue;
         int place = count < MOST_CIRCLES ? count : MOST_CIRCLES;
         for (; place > 0 && far_off(shown, circle) < far_off(shown, circles[place - 1]); place--)
@@ -92,89 +100,71 @@ static int choose_circles(const Shown *shown, Circle *circles)
     return count;
 }
 
-// The fate of a sphere: 0 missed, 1 behind the eye, 2 hit but not nearest, 3 the nearest hit.
-static int fate(const Shown *shown, Circle circle, Roots roots)
+// The lowest lane beside the axis in which the interval of a circle meets that of none before it,
+// with room for the names at their ends.
+static int lane_of(const Circle *circles, const int *lanes, int number, double name)
 {
-    if (roots.count == 0)
-        return 0;
-    if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
-        return 3;
-    return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]) < NO_HIT ? 2 : 1;
-}
-
-// The lowest lane beside the axis in which an interval meets no other, with room for the names at
-// their ends.
-static int lane_of(const Roots *intervals, const int *lanes, int count, Roots roots, double name)
-{
+    Roots roots = circles[number].roots;
     int lane = 0;
-    for (int i = 0; i < count; i++)
-        if (lanes[i] == lane && intervals[i].count > 0 && intervals[i].t[0] <= roots.t[1] + name &&
-            roots.t[0] <= intervals[i].t[1] + name) {
+    for (int i = 0; i < number && roots.count > 0; i++) {
+        Roots other = circles[i].roots;
+        if (lanes[i] == lane && other.count > 0 && other.t[0] <= roots.t[1] + name &&
+            roots.t[0] <= other.t[1] + name) {
             lane++;
             i = -1;
         }
+    }
     return lane;
 }
 
 // Returns how many lanes there are.
-static int circle_data(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w)
+static int circle_data(Plot *plot, const Circle *circles, int count, Window w)
 {
     double name = 0.06 * (w.high[0] - w.low[0]);
-    Roots intervals[MOST_CIRCLES];
     int lanes[MOST_CIRCLES], most = 0;
     plot_block(plot, "circles", "number t aside radius rgb fate root root hit lane part");
     for (int i = 0; i < count; i++) {
         Circle c = circles[i];
-        const Scene *scene = shown->shot.scene;
-        double hit = hit_sphere(shown->ray, scene->spheres[c.sphere]);
-        intervals[i] = sphere_roots(shown->ray, scene->spheres[c.sphere]);
-        bool met = intervals[i].count > 0;
-        lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i], name) : 0;
+        bool met = c.roots.count > 0;
+        lanes[i] = lane_of(circles, lanes, i, name);
         most = lanes[i] > most ? lanes[i] : most;
-        plot_row(plot, c.sphere, c.t, c.aside, c.radius,
-                 rgb_number(scene_surface(scene, c.sphere)->color), fate(shown, c, intervals[i]),
-                 met ? intervals[i].t[0] : NAN, met ? intervals[i].t[1] : NAN,
-                 hit < NO_HIT ? hit : NAN, lanes[i], c.part);
+        plot_row(plot, c.sphere, c.t, c.aside, c.radius, c.rgb, c.fate, met ? c.roots.t[0] : NAN,
+                 met ? c.roots.t[1] : NAN, c.hit < NO_HIT ? c.hit : NAN, lanes[i], c.part);
     }
     // If all spheres are missed, each row has a NaN; such a block is not drawn (plot.c).
-    double nowhere[11];
-    for (int i = 0; i < 11; i++)
-        nowhere[i] = 1e9;
-    plot_row_of(plot, 11, nowhere);
+    plot_row(plot, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9);
     plot_block(plot, "roots", "t");
     for (int i = 0; i < count; i++)
-        for (int k = 0; k < intervals[i].count; k++)
-            plot_row(plot, intervals[i].t[k]);
+        for (int k = 0; k < circles[i].roots.count; k++)
+            plot_row(plot, circles[i].roots.t[k]);
     plot_row(plot, NAN);
     return most + 1;
 }
 
 // The names of the spheres with some fate, or of those drawn in part, as "A, C".
-static void names(Plot *plot, const char *name, const Shown *shown, const Circle *circles,
-                  int count, int low, int high)
+static void names(Plot *plot, const char *name, const Circle *circles, int count, int low, int high)
 {
     char text[200] = "";
     for (int i = 0; i < count; i++) {
-        Roots roots = sphere_roots(shown->ray, shown->shot.scene->spheres[circles[i].sphere]);
-        int its = fate(shown, circles[i], roots);
+        Circle c = circles[i];
         size_t used = strlen(text);
-        if (low == IN_PART ? circles[i].part : its >= low && its <= high)
+        if (low == IN_PART ? c.part : (int)c.fate >= low && (int)c.fate <= high)
             snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? ", " : "",
-                     sphere_name(circles[i].sphere).s);
+                     sphere_name(c.sphere).s);
     }
     plot_text(plot, name, text);
 }
 
 // The part that must be visible: the eye, v, all circles; for circles drawn in part, the hit with
 // room around it.
-static Window window_of(const Shown *shown, const Circle *circles, int count)
+static Window window_of(const Circle *circles, int count)
 {
     Window w = {{-0.1, -0.1}, {1.2, 0.1}};
     for (int i = 0; i < count; i++) {
         Circle c = circles[i];
         double middle[] = {c.t, c.aside}, room = c.radius;
         if (c.part) {
-            middle[0] = hit_sphere(shown->ray, shown->shot.scene->spheres[c.sphere]);
+            middle[0] = c.hit;
             middle[1] = 0;
             room = 0.25 * fmax(1, middle[0]);
         }
@@ -196,7 +186,7 @@ static void window_data(Plot *plot, Window window)
 
 // The part of a disc that is in the window: from one of its edges to the other, and back on the
 // other side of the disc. 'along': the direction in which the disc's edge goes, mostly.
-static void part_rows(Plot *plot, Circle c, Window w, double rgb)
+static void part_rows(Plot *plot, Circle c, Window w)
 {
     enum { STEPS = 512 };
     const double middle[] = {c.t, c.aside};
@@ -213,18 +203,17 @@ static void part_rows(Plot *plot, Circle c, Window w, double rgb)
         double half = sqrt(fmax(0, (c.radius - aside) * (c.radius + aside)));
         double edge = middle[across] + (back ? -half : half);
         at[across] = fmax(w.low[across], fmin(w.high[across], edge));
-        plot_row(plot, at[0], at[1], rgb, at[across] == edge);
+        plot_row(plot, at[0], at[1], c.rgb, at[across] == edge);
     }
     plot_gap(plot);
 }
 
-static void part_data(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w)
+static void part_data(Plot *plot, const Circle *circles, int count, Window w)
 {
     plot_block(plot, "parts", "t aside rgb, 1 on the circle");
     for (int i = 0; i < count; i++)
         if (circles[i].part)
-            part_rows(plot, circles[i], w,
-                      rgb_number(scene_surface(shown->shot.scene, circles[i].sphere)->color));
+            part_rows(plot, circles[i], w);
     plot_row(plot, NAN, NAN, 0, 0);
 }
 
@@ -268,17 +257,11 @@ static void look(Plot *plot, const Shown *shown, const Circle *circles, int coun
     // The first step asks which spheres are hit; the next ones answer.
     for (int i = 0; i < count && count <= FEW; i++) {
         static const char *const answers[] = {"missed", "behind"};
-        Sphere sphere = shown->shot.scene->spheres[circles[i].sphere];
-        int its = fate(shown, circles[i], sphere_roots(shown->ray, sphere));
-        if (its < 2)
-            plot_name(plot, (Label){answers[its], "grey", .step = 2 + its, .place = middles[i]});
+        Fate its = circles[i].fate;
+        if (its <= BEHIND)
+            plot_name(plot,
+                      (Label){answers[its], "grey", .step = 2 + (int)its, .place = middles[i]});
     }
-}
-
-static void left_out(Plot *plot, int count, int all)
-{
-    plot_say(plot, 0, 1,
-             {.text = text_of("Drawn: %d of %d spheres", count, all).s, .color = "grey"});
 }
 
 // The first sphere can be dragged along the ray, and away from it.
@@ -302,15 +285,15 @@ void nearest_figure_data(Plot *plot, void *given)
     bool any = shown->hit_count > 0;
     plot_number(plot, "balls", count);
     plot_number(plot, "all_balls", shown->shot.scene->sphere_count);
-    names(plot, "missed_names", shown, circles, count, 0, 0);
-    names(plot, "behind_names", shown, circles, count, 1, 1);
-    names(plot, "hit_names", shown, circles, count, 2, 3);
-    names(plot, "part_names", shown, circles, count, IN_PART, IN_PART);
+    names(plot, "missed_names", circles, count, MISSED, MISSED);
+    names(plot, "behind_names", circles, count, BEHIND, BEHIND);
+    names(plot, "hit_names", circles, count, HIT, NEAREST);
+    names(plot, "part_names", circles, count, IN_PART, IN_PART);
     // Large circles are drawn first, below small ones.
     qsort(circles, (size_t)count, sizeof *circles, larger_first);
-    Window window = window_of(shown, circles, count);
-    int lanes = circle_data(plot, shown, circles, count, window);
-    part_data(plot, shown, circles, count, window);
+    Window window = window_of(circles, count);
+    int lanes = circle_data(plot, circles, count, window);
+    part_data(plot, circles, count, window);
     window_data(plot, window);
     plot_number(plot, "all_hits", shown->hit_count);
     plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
@@ -325,5 +308,8 @@ void nearest_figure_data(Plot *plot, void *given)
         if (circles[i].sphere == 0)
             sphere_handle(plot, shown);
     if (count < shown->shot.scene->sphere_count)
-        left_out(plot, count, shown->shot.scene->sphere_count);
+        plot_say(
+            plot, 0, 1,
+            {.text = text_of("Drawn: %d of %d spheres", count, shown->shot.scene->sphere_count).s,
+             "grey"});
 }
