@@ -45,17 +45,13 @@ static size_t between(const Plot *plot, const char *key, const char *end, const 
 
 size_t plot_right_value(const Plot *plot, const char *name, const char **begin)
 {
-    char key[120];
-    snprintf(key, sizeof key, "\n%s = ", name);
-    return between(plot, key, "\n", begin);
+    return between(plot, text_of("\n%s = ", name).s, "\n", begin);
 }
 
 // After the block's first line comes the comment that names its columns.
 size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
 {
-    char key[120];
-    snprintf(key, sizeof key, "\n$%s << EOD\n", block);
-    size_t size = between(plot, key, "\nEOD\n", begin);
+    size_t size = between(plot, text_of("\n$%s << EOD\n", block).s, "\nEOD\n", begin);
     const char *line = size > 0 ? strchr(*begin, '\n') : NULL;
     if (line == NULL)
         return 0;
@@ -199,7 +195,7 @@ bool plot_block_end(Plot *plot)
 static void define_one(Plot *plot, const char *before, const char *name, const char *value,
                        size_t size)
 {
-    char *said, key[100];
+    char *said;
     size_t said_size;
     plot_block_end(plot);
     FILE *out = open_memstream(&said, &said_size);
@@ -208,9 +204,8 @@ static void define_one(Plot *plot, const char *before, const char *name, const c
     own_words_print(out, value + strlen(quote), size - 2 * strlen(quote));
     fputs(quote, out);
     fclose(out);
-    snprintf(key, sizeof key, "%s%s", before, name);
-    fprintf(plot->script, "%s = %s\n", key, said);
-    plot_view_words(plot, key, said, said_size);
+    fprintf(plot->script, "%s%s = %s\n", before, name, said);
+    plot_view_words(plot, text_of("%s%s", before, name).s, said, said_size);
     free(said);
 }
 
@@ -238,9 +233,8 @@ static bool define(Plot *plot, const char *name, const char *value)
 // It is wrong if its numbers are: a 0 that is off by rounding also has another text.
 static void define_label(Plot *plot, const char *name, const char *label, bool is_wrong)
 {
-    char key[100], *value = gnuplot_string(label);
-    snprintf(key, sizeof key, "%s_text", name);
-    define_both(plot, key, value, is_wrong);
+    char *value = gnuplot_string(label);
+    define_both(plot, text_of("%s_text", name).s, value, is_wrong);
     free(value);
 }
 
@@ -266,9 +260,7 @@ void plot_text(Plot *plot, const char *name, const char *text)
 
 void plot_label(Plot *plot, const char *name, const char *label)
 {
-    char key[100];
-    snprintf(key, sizeof key, "%s_text", name);
-    plot_text(plot, key, label);
+    plot_text(plot, text_of("%s_text", name).s, label);
 }
 
 // ---- points and vectors -----------------------------------------------------------------------
@@ -295,37 +287,23 @@ void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
 
 void plot_direction(Plot *plot, const char *name, vec3 v)
 {
-    static const char axes[] = "xyz";
     bool is_wrong = false;
-    for (int i = 0; i < 3; i++) {
-        char key[100];
-        snprintf(key, sizeof key, "%s_%c", name, axes[i]);
-        bool differs = define(plot, key, gnuplot_number(v[i]).s);
-        is_wrong = is_wrong || differs;
-    }
+    for (int i = 0; i < 3; i++)
+        is_wrong |= define(plot, text_of("%s_%c", name, "xyz"[i]).s, gnuplot_number(v[i]).s);
     define_label(plot, name, vec3_shown(v).s, is_wrong);
 }
 
 // ---- pairs of numbers -------------------------------------------------------------------------
 
-static void define_part(Plot *plot, const char *name, const char *part, double x, int digits)
-{
-    char key[100];
-    snprintf(key, sizeof key, "%s_%s", name, part);
-    plot_number_to(plot, key, x, digits);
-}
-
 void plot_pair_to(Plot *plot, const char *name, const char *first_name, double first,
                   const char *second_name, double second, int digits)
 {
-    char columns[100];
-    snprintf(columns, sizeof columns, "%s %s", first_name, second_name);
-    plot_block(plot, name, columns);
+    plot_block(plot, name, text_of("%s %s", first_name, second_name).s);
     plot_row(plot, first, second);
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, pair_shown_to(first, second, digits).s, is_wrong);
-    define_part(plot, name, first_name, first, digits);
-    define_part(plot, name, second_name, second, digits);
+    plot_number_to(plot, text_of("%s_%s", name, first_name).s, first, digits);
+    plot_number_to(plot, text_of("%s_%s", name, second_name).s, second, digits);
 }
 
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,

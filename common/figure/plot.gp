@@ -56,7 +56,6 @@ strip = strip_count == 0 && !wrong ? 0 : down(strip_count) + wrong * line_height
 tall_cm = (height + strip) / 60.0
 tex = format eq "tex"
 # Text, lines and points come out at other sizes in each terminal: these make them one.
-cairo = format eq "png" || format eq "pdf" || tex
 if (format eq "svg") {
     set terminal svg size width,(height + strip) font sprintf("DejaVu Sans,%d", text_size) enhanced background rgb background
     set output output.".svg"
@@ -117,11 +116,7 @@ steps = 1
 # In a plot: '@step2 ...' is drawn from step 2 on; '@who $DATA index who ...' draws what is right and,
 # if something is wrong, yours beside it, dashed.
 # gnuplot's plot has no if: 'for [_=1:condition] ...' draws once if the condition is 1, and nothing if it is 0.
-step2 = "for [_=2:step:1000]"
-step3 = "for [_=3:step:1000]"
-step4 = "for [_=4:step:1000]"
-step5 = "for [_=5:step:1000]"
-step6 = "for [_=6:step:1000]"
+do for [n=2:6] { eval sprintf("step%d = 'for [_=%d:step:1000]'", n, n) }
 who = "for [who=0:wrong]"
 dash(who) = who == 0 ? 1 : 2
 
@@ -188,9 +183,7 @@ array zero_x[8]
 array zero_y[8]
 array size[8]
 panel = 1
-panel2 = "for [panel=2:2]"
-panel3 = "for [panel=3:3]"
-panel4 = "for [panel=4:4]"
+do for [n=2:4] { eval sprintf("panel%d = 'for [panel=%d:%d]'", n, n, n) }
 U(panel, x) = zero_x[panel] + size[panel] * x
 V(panel, y) = zero_y[panel] + size[panel] * y
 
@@ -199,14 +192,10 @@ point = "(X($1,$2,$3)):(Y($1,$2,$3))"
 vector = "(X($1,$2,$3)):(Y($1,$2,$3)):(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
 tip = "(X($1+$4,$2+$5,$3+$6)):(Y($1+$4,$2+$5,$3+$6))"
 # The same in a flat panel: '$DATA using @flat2 ...' in the second.
-flat1 = "(U(1,$1)):(V(1,$2))"
-flat2 = "(U(2,$1)):(V(2,$2))"
-flat3 = "(U(3,$1)):(V(3,$2))"
-flat4 = "(U(4,$1)):(V(4,$2))"
-along1 = flat1.":(size[1]*$4):(size[1]*$5)"
-along2 = flat2.":(size[2]*$4):(size[2]*$5)"
-along3 = flat3.":(size[3]*$4):(size[3]*$5)"
-along4 = flat4.":(size[4]*$4):(size[4]*$5)"
+do for [n=1:4] {
+    eval sprintf("flat%d = '(U(%d,$1)):(V(%d,$2))'", n, n, n)
+    eval sprintf("along%d = flat%d.':(size[%d]*$4):(size[%d]*$5)'", n, n, n, n)
+}
 
 # ---- single marks, and what is yours -------------------------------------------------------------------
 
@@ -265,27 +254,12 @@ forget = 'if (!framed) { system("rm -f".casts) }'
 # (percent is for labels of plots, where gnuplot reads a backslash twice.)
 percent = tex ? '\\%' : "%"
 
-# Places on the canvas, to add to: a point's, a vector's tip, its middle; what a vector adds to a place;
-# and where the name of an arrow stands.
+# Places on the canvas, to add to: a point's; and what a vector adds to a place.
 point_x = "X($1,$2,$3)"
 point_y = "Y($1,$2,$3)"
-tip_x = "X($1+$4,$2+$5,$3+$6)"
-tip_y = "Y($1+$4,$2+$5,$3+$6)"
-half_x = "X($1+$4/2,$2+$5/2,$3+$6/2)"
-half_y = "Y($1+$4/2,$2+$5/2,$3+$6/2)"
 moved = "(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
-beyond = "(X($1+1.2*$4,$2+1.2*$5,$3+1.2*$6)):(Y($1+1.2*$4,$2+1.2*$5,$3+1.2*$6))"
 
-# '@labels', last in a plot: those that C has placed, with their leaders; first centered ones, then lines of blocks of text.
-# A loop that has nothing to draw is left out, or gnuplot would read it all the same.
-label_leaders = 'for [i=1:leader_count] $once using (leader_u[i]):(step < label_step[leader[i]] ? 1e9 : leader_v[i]):(leader_du[i]):(leader_dv[i]) \
-    with vectors nohead lw 0.8 lc rgb label_color[leader[i]] title "leader", '
-label_middles = 'for [i=1:centered_count] $once using (label_u[i]):(label_v[i]):(step < label_step[i] ? "" : label_text[i]) \
-    with labels tc rgb label_color[i] title label_title[i]'
-label_blocks = 'for [i=centered_count + 1:label_count] $once using (label_u[i]):(label_v[i]):(step < label_step[i] ? "" : label_text[i]) \
-    with labels left tc rgb label_color[i] title label_title[i]'
-place_labels = 'labels = (leader_count > 0 ? label_leaders : "").(centered_count > 0 ? label_middles : "") \
-    .(centered_count > 0 && centered_count < label_count ? ", " : "").(centered_count < label_count ? label_blocks : "")'
+# '@labels', last in a plot: those that C has placed, with their leaders (common/figure/plot_view.c).
 
 # ---- yours beside the right one --------------------------------------------------------------------
 

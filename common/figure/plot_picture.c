@@ -100,13 +100,12 @@ static FILE *picture_begin(const Plot *plot, const char *yours, const char *name
 
 void plot_picture(Plot *plot, const char *name, const Image *image, double allowed)
 {
-    char parts[100];
+    Text parts = text_of("%s_parts", name);
     const char *right_means, *right_picture;
     MeanColors means;
     plot_block_end(plot);
     find_means(image, &means);
-    snprintf(parts, sizeof parts, "%s_parts", name);
-    size_t means_size = plot_right_rows(plot, parts, &right_means);
+    size_t means_size = plot_right_rows(plot, parts.s, &right_means);
     size_t picture_size = plot_right_rows(plot, name, &right_picture);
     bool has_right = means_size > 0 && picture_size > 0;
     bool is_wrong = has_right && !are_near(&means, right_means, allowed);
@@ -117,7 +116,7 @@ void plot_picture(Plot *plot, const char *name, const Image *image, double allow
         plot->failed = !print_picture(out, name, image) || plot->failed;
         fprintf(out, "EOD\n");
     }
-    fprintf(plot->script, "$%s << EOD\n# the mean red, green, blue of %d x %d parts\n", parts,
+    fprintf(plot->script, "$%s << EOD\n# the mean red, green, blue of %d x %d parts\n", parts.s,
             PARTS, PARTS);
     for (int part = 0; part < PARTS * PARTS; part++)
         fprintf(plot->script, "%.3f %.3f %.3f\n", means.rgb[part][0], means.rgb[part][1],

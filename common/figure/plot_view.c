@@ -31,7 +31,7 @@ typedef struct {
 
 typedef struct {
     char name[NAME_SIZE];
-    char value[200]; // as gnuplot reads it
+    char value[200]; // without gnuplot's quotes
 } Words;
 
 typedef struct {
@@ -39,12 +39,15 @@ typedef struct {
     char *text;
     char block[NAME_SIZE];
     int panel;
-    int lines;          // 0: it names a place; else it begins a block of so many lines of text
-    double across, up;  // where that stands
-    bool pinned;        // exactly there
-    double wide, high;  // its text, once it was measured; for a block of them, of that
-    int number[SHAPES]; // of the label that was placed
+    int lines;         // 0: it names a place; else it begins a block of so many lines of text
+    double across, up; // where that stands
+    bool pinned;       // exactly there
+    double wide, high; // its text, once it was measured; for a block of them, of that
+    int number;        // of the label that was placed; NOWHERE
 } Wanted;
+
+// What it names is not there.
+enum { NOWHERE = -1 };
 
 typedef struct {
     vec3 center;
@@ -79,11 +82,12 @@ struct PlotView {
     Area around[PANELS]; // how far what is moved may be outside of what has to be seen
     vec3 last;
     int row;
-    // What was found, for each shape.
-    double size[SHAPES][PANELS], zero_u[SHAPES][PANELS], zero_v[SHAPES][PANELS];
-    Area seen[SHAPES][PANELS]; // what has to be seen
-    Area over[SHAPES][PANELS]; // by how much labels are outside of it
-    Labels *labels[SHAPES];
+    // One canvas after the other: its shape, and what was found for it.
+    int shape;
+    double size[PANELS], zero_u[PANELS], zero_v[PANELS];
+    Area seen[PANELS]; // what has to be seen
+    Area over[PANELS]; // by how much labels are outside of it
+    Labels *labels;
 };
 
 // Room for one more, at the end of the list.
@@ -123,9 +127,8 @@ void plot_view_free(PlotView *view)
     free(view->words.items);
     free(view->wanted.items);
     free(view->fits.items);
-    for (int shape = 0; shape < SHAPES; shape++)
-        if (view->labels[shape] != NULL)
-            labels_free(view->labels[shape]);
+    if (view->labels != NULL)
+        labels_free(view->labels);
     free(view);
 }
 
@@ -142,16 +145,11 @@ static void look(PlotView *view, Look look)
 // The layout looks along the right directions (NAME_x and so on).
 static vec3 right_direction(const Plot *plot, const char *name, vec3 yours)
 {
-    static const char axes[] = "xyz";
-    vec3 right = yours;
-    for (int i = 0; i < 3; i++) {
-        char key[40];
-        const char *value;
-        snprintf(key, sizeof key, "%s_%c", name, axes[i]);
-        if (plot_right_value(plot, key, &value) > 0)
-            right[i] = strtod(value, NULL);
-    }
-    return right;
+    const char *value;
+    for (int i = 0; i < 3; i++)
+        if (plot_right_value(plot, text_of("%s_%c", name, "xyz"[i]).s, &value) > 0)
+            yours[i] = strtod(value, NULL);
+    return yours;
 }
 
 void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation)
@@ -269,7 +267,10 @@ void plot_view_words(Plot *plot, const char *name, const char *value, size_t siz
 {
     Words *words = add(&plot->view->words, sizeof(Words));
     snprintf(words->name, sizeof words->name, "%s", name);
-    snprintf(words->value, sizeof words->value, "%.*s", (int)size, value);
+    size_t used = 0;
+    for (const char *c = value; c < value + size && used + 1 < sizeof words->value; c++)
+        if (*c != '"' && (*c != '\\' || ++c < value + size))
+            words->value[used++] = *c;
 }
 
 double plot_shown(const Plot *plot, const char *name)
@@ -453,11 +454,11 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
 
 // ---- onto the canvas ----------------------------------------------------------------------------
 
-static Spot spot_of(const PlotView *view, int shape, int panel, vec3 place)
+static Spot spot_of(const PlotView *view, int panel, vec3 place)
 {
-    double size = view->size[shape][panel];
-    return (Spot){view->zero_u[shape][panel] + size * vec3_dot(view->look[panel].u, place),
-                  view->zero_v[shape][panel] + size * vec3_dot(view->look[panel].v, place)};
+    double size = view->size[panel];
+    return (Spot){view->zero_u[panel] + size * vec3_dot(view->look[panel].u, place),
+                  view->zero_v[panel] + size * vec3_dot(view->look[panel].v, place)};
 }
 
 static double *side_of(Area *area, int i)
@@ -485,11 +486,11 @@ static Area to_be_seen(const PlotView *view, int panel)
 }
 
 // The part of the canvas for it, without the labels around it.
-static Area room_of(const PlotView *view, int shape, int panel)
+static Area room_of(const PlotView *view, int panel)
 {
-    Room room = view->room[panel][shape];
-    Area over = view->over[shape][panel], around = view->around[panel];
-    double width = canvas_width[shape];
+    Room room = view->room[panel][view->shape];
+    Area over = view->over[panel], around = view->around[panel];
+    double width = canvas_width[view->shape];
     return (Area){width * room.left + fmax(over.left, around.left),
                   width * room.right - fmax(over.right, around.right),
                   HEIGHT * room.bottom + fmax(over.bottom, around.bottom),
@@ -498,39 +499,38 @@ static Area room_of(const PlotView *view, int shape, int panel)
 
 // How large a panel can be; infinite if nothing has to be seen in it. Where its labels want the
 // whole room, a little is left for it.
-static double size_of(const PlotView *view, int shape, int panel)
+static double size_of(const PlotView *view, int panel)
 {
     const double least = 10;
-    Area seen = to_be_seen(view, panel), room = room_of(view, shape, panel);
+    Area seen = to_be_seen(view, panel), room = room_of(view, panel);
     return fmin(fmax(room.right - room.left, least) / (seen.right - seen.left),
                 fmax(room.top - room.bottom, least) / (seen.top - seen.bottom));
 }
 
 // Chooses how large the panels are: so that all that has to be seen, and the labels around it, fill
 // 'part' of their rooms. A view that is held stays.
-static void see(PlotView *view, int shape, double part)
+static void see(PlotView *view, double part)
 {
     if (view->is_held)
         return;
     double least = INFINITY;
     for (int panel = 1; panel < PANELS; panel++)
-        least = fmin(least, size_of(view, shape, panel));
+        least = fmin(least, size_of(view, panel));
     for (int panel = 1; panel < PANELS; panel++) {
-        double size = part * (view->apart ? least : size_of(view, shape, panel));
+        double size = part * (view->apart ? least : size_of(view, panel));
         size = isfinite(size) ? size : 1;
-        Area seen = to_be_seen(view, panel), room = room_of(view, shape, panel);
+        Area seen = to_be_seen(view, panel), room = room_of(view, panel);
         double u = (room.left + room.right) / 2 - size * (seen.left + seen.right) / 2;
         double v = (room.bottom + room.top) / 2 - size * (seen.bottom + seen.top) / 2;
-        view->size[shape][panel] = size;
-        view->zero_u[shape][panel] = u;
-        view->zero_v[shape][panel] = v;
-        view->seen[shape][panel] = (Area){u + size * seen.left, u + size * seen.right,
-                                          v + size * seen.bottom, v + size * seen.top};
+        view->size[panel] = size;
+        view->zero_u[panel] = u;
+        view->zero_v[panel] = v;
+        view->seen[panel] = (Area){u + size * seen.left, u + size * seen.right,
+                                   v + size * seen.bottom, v + size * seen.top};
     }
 }
 
-// The words of BEFORE and a name, without gnuplot's quotes, as they were said last; NULL if they
-// were not.
+// The words of BEFORE and a name, as they were said last; NULL if they were not.
 static const char *words_said(const PlotView *view, const char *before, const char *name,
                               size_t length)
 {
@@ -558,74 +558,61 @@ bool plot_says_yours(const Plot *plot, const char *name)
     return words_said(plot->view, "your_", name, strlen(name)) != NULL;
 }
 
-static void plain_words(const char *words, FILE *out)
+// The text with the words of its names, for freeing. {NAME!}: and yours, if it differs.
+static char *with_words(const PlotView *view, const char *text)
 {
-    for (; *words != '\0'; words++)
-        if (*words != '"' && *words != '\\')
-            putc(*words, out);
-}
-
-// {NAME!}: yours is beside the right words, if it differs.
-static bool says_yours(const PlotView *view, const char *name, size_t *size)
-{
-    if (*size == 0 || name[*size - 1] != '!')
-        return false;
-    --*size;
-    return words_said(view, "your_", name, *size) != NULL;
-}
-
-#define YOURS "yours"
-
-// One line of a label as it is read: without $ and the marks of indices, and with words for names.
-static void plain_line(const PlotView *view, const char *line, size_t length, FILE *out)
-{
-    for (const char *c = line; c < line + length; c++) {
-        if (*c == '{') {
-            size_t size = strcspn(c + 1, "}"), name = size;
-            bool beside = says_yours(view, c + 1, &name);
-            plain_words(words_of(view, c + 1, name), out);
-            if (beside) {
-                fputs(", ", out);
-                own_words_print(out, YOURS, strlen(YOURS));
-                putc(' ', out);
-                plain_words(words_said(view, "your_", c + 1, name), out);
-            }
-            c += size + 1;
-        } else if (strchr("$_^", *c) == NULL) {
-            putc(*c, out);
-        }
-    }
-}
-
-static double line_width(const PlotView *view, const char *line, size_t length)
-{
-    char *plain;
+    char *said;
     size_t size;
-    FILE *out = open_memstream(&plain, &size);
-    plain_line(view, line, length, out);
+    FILE *out = open_memstream(&said, &size);
+    for (const char *c = text; *c != '\0'; c++) {
+        if (*c != '{') {
+            putc(*c, out);
+            continue;
+        }
+        size_t length = strcspn(c + 1, "}"), name = length - (length > 0 && c[length] == '!');
+        const char *yours = name < length ? words_said(view, "your_", c + 1, name) : NULL;
+        fputs(words_of(view, c + 1, name), out);
+        if (yours != NULL) {
+            char *own = own_words("yours");
+            fprintf(out, ", %s %s", own, yours);
+            free(own);
+        }
+        c += length + 1;
+    }
     fclose(out);
-    double width = labels_text_width(plain, TEXT_SIZE);
-    free(plain);
-    return width;
+    return said;
+}
+
+// Of a line with its words, as it is read: without $ and the marks of indices.
+static double line_width(const char *line, size_t length)
+{
+    char plain[1000];
+    size_t used = 0;
+    for (size_t i = 0; i < length && used + 1 < sizeof plain; i++)
+        if (strchr("$_^", line[i]) == NULL)
+            plain[used++] = line[i];
+    plain[used] = '\0';
+    return labels_text_width(plain, TEXT_SIZE);
 }
 
 double plot_width(const Plot *plot, const char *text)
 {
-    char *own = own_words(text);
-    double width = line_width(plot->view, own, strlen(own));
+    char *own = own_words(text), *said = with_words(plot->view, own);
+    double width = line_width(said, strlen(said));
+    free(said);
     free(own);
     return width;
 }
 
 #define LINE_HEIGHT (1.35 * TEXT_SIZE)
 
-static void measure(const PlotView *view, const char *text, double *width, double *height)
+static void measure(const char *text, double *width, double *height)
 {
     *height = 1.1 * TEXT_SIZE - LINE_HEIGHT;
     *width = 0;
     for (const char *line = text;; line++) {
         size_t length = strcspn(line, "\n");
-        *width = fmax(*width, line_width(view, line, length));
+        *width = fmax(*width, line_width(line, length));
         *height += LINE_HEIGHT;
         line += length;
         if (*line == '\0')
@@ -665,26 +652,23 @@ static void draw_room(Room room, double width, Labels *labels)
 }
 
 // Draws, as far as labels care.
-static void draw(const PlotView *view, int shape, Labels *labels)
+static void draw(const PlotView *view, Labels *labels)
 {
     const Mark *marks = view->marks.items;
-    for (int i = shape; i < view->clear.count; i += SHAPES)
-        draw_room(((const Room *)view->clear.items)[i], canvas_width[shape], labels);
+    for (int i = view->shape; i < view->clear.count; i += SHAPES)
+        draw_room(((const Room *)view->clear.items)[i], canvas_width[view->shape], labels);
     for (int i = 0; i < view->marks.count; i++) {
         const Mark *mark = &marks[i];
-        Spot from = moved(spot_of(view, shape, mark->from_panel, mark->from), mark);
-        Spot to = moved(spot_of(view, shape, mark->panel, mark->to), mark);
+        Spot from = moved(spot_of(view, mark->from_panel, mark->from), mark);
+        Spot to = moved(spot_of(view, mark->panel, mark->to), mark);
         if (mark->radius > 0)
-            labels_disc(labels, from, mark->radius * view->size[shape][mark->panel]);
+            labels_disc(labels, from, mark->radius * view->size[mark->panel]);
         else if (from.u == to.u && from.v == to.v)
             labels_disc(labels, from, DOT);
         else
             labels_line(labels, from, to, LINE);
     }
 }
-
-// The number of a label that names what is not there.
-enum { NOWHERE = -1 };
 
 static bool is_somewhere(Spot spot)
 {
@@ -693,35 +677,36 @@ static bool is_somewhere(Spot spot)
 }
 
 // Its text does not change while places for it are tried.
-static void measure_once(const PlotView *view, Wanted *wanted)
+static void measure_once(Wanted *wanted)
 {
     if (wanted->high > 0)
         return;
     for (int i = 0; i < wanted->lines; i++)
-        wanted->wide = fmax(wanted->wide, line_width(view, wanted[i].text, strlen(wanted[i].text)));
+        wanted->wide = fmax(wanted->wide, line_width(wanted[i].text, strlen(wanted[i].text)));
     wanted->high = LINE_HEIGHT * wanted->lines;
     if (wanted->lines == 0)
-        measure(view, wanted->text, &wanted->wide, &wanted->high);
+        measure(wanted->text, &wanted->wide, &wanted->high);
 }
 
-static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted)
+static void want(const PlotView *view, Labels *labels, Wanted *wanted)
 {
     PlacedLabel label = {.free = wanted->lines > 0 && !wanted->pinned, .pinned = wanted->pinned};
     if (wanted->lines > 0) {
-        label.from = (Spot){wanted->across * canvas_width[shape], wanted->up * (HEIGHT - TITLE)};
+        label.from =
+            (Spot){wanted->across * canvas_width[view->shape], wanted->up * (HEIGHT - TITLE)};
         label.margin = MARGIN - EDGE;
     } else if (wanted->block[0] == '\0') {
         enum { TINY = 8 };
-        label.from = label.to = spot_of(view, shape, wanted->panel, wanted->label.place);
-        label.radius = wanted->label.ball * view->size[shape][wanted->panel];
+        label.from = label.to = spot_of(view, wanted->panel, wanted->label.place);
+        label.radius = wanted->label.ball * view->size[wanted->panel];
         if (label.radius > 0 && label.radius < TINY) {
-            wanted->number[shape] = NOWHERE;
+            wanted->number = NOWHERE;
             return;
         }
     } else {
         const Mark *mark = mark_of(view, wanted);
         if (mark == NULL) {
-            wanted->number[shape] = NOWHERE;
+            wanted->number = NOWHERE;
             return;
         }
         double part = wanted->label.part;
@@ -730,8 +715,8 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         bool is_point = part == 0 && !mark->is_arrow;
         double first = is_point ? 1 : part < 0 ? 0.15 : part;
         double last = is_point ? 1 : part < 0 ? 0.85 : part;
-        label.from = moved(spot_of(view, shape, wanted->panel, mark->from + first * all), mark);
-        label.to = moved(spot_of(view, shape, wanted->panel, mark->from + last * all), mark);
+        label.from = moved(spot_of(view, wanted->panel, mark->from + first * all), mark);
+        label.to = moved(spot_of(view, wanted->panel, mark->from + last * all), mark);
     }
     if (vec3_length(wanted->label.aside) > 0) {
         const Look *look = &view->look[wanted->panel];
@@ -741,47 +726,47 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         label.aside = length > 0 ? (Spot){u / length, v / length} : (Spot){0, 1};
         label.says_what = strchr(wanted->text, '=') != NULL;
     }
-    measure_once(view, wanted);
+    measure_once(wanted);
     label.width = wanted->wide;
     label.height = wanted->high;
-    wanted->number[shape] =
+    wanted->number =
         is_somewhere(label.from) && is_somewhere(label.to) ? labels_add(labels, label) : NOWHERE;
 }
 
 // Places labels: on the canvas, with the blocks of text; or without them, and as if the canvas had
 // no end. Returns what it costs.
-static double place_in(PlotView *view, int shape, double part, bool blocks)
+static double place_in(PlotView *view, double part, bool blocks)
 {
     const double endless = INFINITY;
-    const Area canvas = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
+    const Area canvas = {EDGE, canvas_width[view->shape] - EDGE, EDGE, HEIGHT - TITLE};
     const Area area = blocks ? canvas : (Area){-endless, endless, -endless, endless};
-    see(view, shape, part);
+    see(view, part);
     Labels *labels = labels_new(area);
     Wanted *wanted = view->wanted.items;
     for (int i = 0; i < view->wanted.count; i++)
         if (wanted[i].lines == 0 || (blocks && wanted[i].lines > 0))
-            want(view, shape, labels, &wanted[i]);
-    draw(view, shape, labels);
+            want(view, labels, &wanted[i]);
+    draw(view, labels);
     labels_place(labels);
-    if (view->labels[shape] != NULL)
-        labels_free(view->labels[shape]);
-    view->labels[shape] = labels;
+    if (view->labels != NULL)
+        labels_free(view->labels);
+    view->labels = labels;
     return labels_cost(labels);
 }
 
 // How far labels go beyond what has to be seen, if the canvas had no end.
-static void measure_over(PlotView *view, int shape)
+static void measure_over(PlotView *view)
 {
-    place_in(view, shape, 1, false);
+    place_in(view, 1, false);
     const Wanted *wanted = view->wanted.items;
-    memset(view->over[shape], 0, sizeof view->over[shape]);
+    memset(view->over, 0, sizeof view->over);
     for (int i = 0; i < view->wanted.count; i++) {
-        if (wanted[i].lines != 0 || wanted[i].number[shape] == NOWHERE)
+        if (wanted[i].lines != 0 || wanted[i].number == NOWHERE)
             continue;
-        PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
+        PlacedLabel label = labels_get(view->labels, wanted[i].number);
         if (label.is_left_out)
             continue;
-        Area seen = view->seen[shape][wanted[i].panel], *over = &view->over[shape][wanted[i].panel];
+        Area seen = view->seen[wanted[i].panel], *over = &view->over[wanted[i].panel];
         over->left = fmax(over->left, seen.left - (label.middle.u - label.width / 2));
         over->right = fmax(over->right, label.middle.u + label.width / 2 - seen.right);
         over->bottom = fmax(over->bottom, seen.bottom - (label.middle.v - label.height / 2));
@@ -789,25 +774,25 @@ static void measure_over(PlotView *view, int shape)
     }
     for (int panel = 0; panel < PANELS; panel++)
         for (int i = 0; i < 4; i++) {
-            double *side = side_of(&view->over[shape][panel], i);
-            *side = fmin(*side, 0.3 * (i < 2 ? canvas_width[shape] : HEIGHT));
+            double *side = side_of(&view->over[panel], i);
+            *side = fmin(*side, 0.3 * (i < 2 ? canvas_width[view->shape] : HEIGHT));
         }
 }
 
 // Leaves room for the largest block of text, on this side of the picture: 0 left, 1 right, 2
 // bottom, 3 top. False if there is no such block.
-static bool leave_room(PlotView *view, int shape, int side)
+static bool leave_room(PlotView *view, int side)
 {
     const Wanted *wanted = view->wanted.items;
     double width = 0, height = 0;
     for (int i = 0; i < view->wanted.count; i++) {
         if (wanted[i].lines <= 0 || wanted[i].pinned)
             continue;
-        PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
+        PlacedLabel label = labels_get(view->labels, wanted[i].number);
         width = fmax(width, label.width);
         height = fmax(height, label.height);
     }
-    *side_of(&view->over[shape][1], side) += side < 2 ? width : height;
+    *side_of(&view->over[1], side) += side < 2 ? width : height;
     return width > 0;
 }
 
@@ -819,149 +804,92 @@ typedef struct {
 } Choice;
 
 // A smaller picture, if it is a better one: half the size costs as much as a distance of 350.
-static void choose(PlotView *view, int shape, double full, int tries, Choice *best)
+static void choose(PlotView *view, double full, int tries, Choice *best)
 {
     static const double parts[TRIES] = {1, 0.88, 0.76, 0.64, 0.52};
     enum { SMALLER = 700 };
     for (int i = 0; i < tries; i++) {
-        see(view, shape, parts[i]);
-        double cost = SMALLER * (1 - view->size[shape][1] / full);
+        see(view, parts[i]);
+        double cost = SMALLER * (1 - view->size[1] / full);
         if (cost >= best->cost)
             return;
-        cost += place_in(view, shape, parts[i], true);
+        cost += place_in(view, parts[i], true);
         if (cost >= best->cost)
             continue;
         best->cost = cost;
         best->part = parts[i];
-        memcpy(best->over, view->over[shape], sizeof best->over);
+        memcpy(best->over, view->over, sizeof best->over);
     }
 }
 
 // The best picture: a large one, whose labels meet nothing and are near.
-static void place(PlotView *view, int shape)
+static void place(PlotView *view)
 {
     enum { SIDES = 4 };
+    memset(view->over, 0, sizeof view->over);
     if (view->is_held) {
-        place_in(view, shape, 1, true);
+        place_in(view, 1, true);
         return;
     }
-    see(view, shape, 1);
-    double full = view->size[shape][1];
+    see(view, 1);
+    double full = view->size[1];
     Choice best = {.cost = INFINITY, .part = 1};
-    choose(view, shape, full, view->fills ? 1 : TRIES, &best);
+    choose(view, full, view->fills ? 1 : TRIES, &best);
     if (!view->fills || best.cost >= LABEL_FINE) {
         Area over[PANELS];
-        measure_over(view, shape);
-        memcpy(over, view->over[shape], sizeof over);
-        choose(view, shape, full, TRIES, &best);
+        measure_over(view);
+        memcpy(over, view->over, sizeof over);
+        choose(view, full, TRIES, &best);
         bool is_crowded = best.cost >= LABEL_FINE;
         for (int side = 0; side < SIDES && is_crowded; side++) {
-            memcpy(view->over[shape], over, sizeof over);
-            if (leave_room(view, shape, side))
-                choose(view, shape, full, TRIES, &best);
+            memcpy(view->over, over, sizeof over);
+            if (leave_room(view, side))
+                choose(view, full, TRIES, &best);
         }
     }
-    memcpy(view->over[shape], best.over, sizeof best.over);
-    place_in(view, shape, best.part, true);
+    memcpy(view->over, best.over, sizeof best.over);
+    place_in(view, best.part, true);
     Wanted *wanted = view->wanted.items;
     for (int i = 0; i < view->wanted.count; i++)
-        if (wanted[i].lines == 0 && wanted[i].number[shape] != NOWHERE &&
-            labels_get(view->labels[shape], wanted[i].number[shape]).is_left_out)
-            wanted[i].number[shape] = NOWHERE;
+        if (wanted[i].lines == 0 && wanted[i].number != NOWHERE &&
+            labels_get(view->labels, wanted[i].number).is_left_out)
+            wanted[i].number = NOWHERE;
 }
 
 // ---- what the script is told --------------------------------------------------------------------
 
-static void write_both(FILE *out, const char *name, int number, double wide, double narrow)
+// A part of a text as a string of gnuplot's, within a string in single quotes.
+static void write_string(FILE *out, const char *text, size_t length)
 {
-    fprintf(out, "%s", name);
-    if (number > 0)
-        fprintf(out, "[%d]", number);
-    if (wide == narrow)
-        fprintf(out, " = %s\n", gnuplot_number(wide).s);
-    else
-        fprintf(out, " = shape eq \"4:3\" ? %s : %s\n", gnuplot_number(narrow).s,
-                gnuplot_number(wide).s);
+    char *part = strndup(text, length), *string = gnuplot_string(part);
+    for (const char *c = string; *c != '\0'; c++)
+        fprintf(out, *c == '\'' ? "''" : "%c", *c);
+    free(string);
+    free(part);
 }
 
-// A line's text as an expression of gnuplot: "".math("d")." = ".d_text
-static void write_text(const PlotView *view, FILE *out, const char *text, size_t length)
+// A line's text as an expression of gnuplot: math("d")." = 4"
+static void write_text(FILE *out, const char *text, size_t length)
 {
-    const char *end = text + length;
-    fputs("\"\"", out);
-    while (text < end) {
-        size_t size = strcspn(text, "${%\n");
-        if (size > 0)
-            fprintf(out, ".\"%.*s\"", (int)size, text);
-        text += size;
-        if (text >= end)
-            break;
+    const char *before = "";
+    for (const char *end = text + length; text < end; before = ".") {
+        size_t size = strcspn(text, "$%\n");
+        fputs(before, out);
         if (*text == '%') { // it begins a comment in LaTeX
-            fputs(".percent", out);
-            text++;
-            continue;
+            fputs("percent", out);
+            size = 1;
+        } else if (*text == '$') {
+            size = 1 + strcspn(text + 1, "$");
+            fputs("math(", out);
+            write_string(out, text + 1, size - 1);
+            fputs(")", out);
+            size += text + size < end;
+        } else {
+            write_string(out, text, size);
         }
-        size = strcspn(text + 1, *text == '$' ? "$" : "}");
-        size_t name = size;
-        bool beside = *text == '{' && says_yours(view, text + 1, &name);
-        fprintf(out, *text == '$' ? ".math(\"%.*s\")" : ".%.*s_text", (int)name, text + 1);
-        if (beside)
-            fprintf(out, ".\", \".own(\"" YOURS "\").\" \".your_%.*s_text", (int)name, text + 1);
-        text += size + 2;
+        text += size;
     }
-    putc('\n', out);
-}
-
-// One line of text, at this height above the middle of its label.
-typedef struct {
-    const PlacedLabel *placed; // on each canvas
-    const bool *is_there;      // a ball may be too small for a name on one canvas, not on the other
-    const Label *label;
-    const char *text, *names;
-    size_t length;
-    double above;
-    bool is_left;
-} Line;
-
-// A line from a label to what it names.
-typedef struct {
-    int label;
-    Spot start, end;
-} Leader;
-
-// What it names: nothing draws that, but who reads the script can tell (tests/house/figures).
-static void write_anchor(FILE *out, int number, const PlacedLabel *placed)
-{
-    write_both(out, "anchor_u", number, placed[0].from.u, placed[1].from.u);
-    write_both(out, "anchor_v", number, placed[0].from.v, placed[1].from.v);
-    write_both(out, "anchor_to_u", number, placed[0].to.u, placed[1].to.u);
-    write_both(out, "anchor_to_v", number, placed[0].to.v, placed[1].to.v);
-    write_both(out, "anchor_r", number, placed[0].radius, placed[1].radius);
-}
-
-static void write_line(const PlotView *view, FILE *out, int number, Line line)
-{
-    double u[SHAPES], v[SHAPES];
-    for (int shape = 0; shape < SHAPES; shape++) {
-        PlacedLabel label = line.placed[shape];
-        u[shape] = label.middle.u - (line.is_left ? label.width / 2 : 0);
-        v[shape] = label.middle.v + line.above;
-    }
-    fprintf(out, "label_text[%d] = ", number);
-    for (int shape = 0; shape < SHAPES; shape++)
-        if (!line.is_there[shape])
-            fprintf(out, "shape %s \"4:3\" ? \"\" : ", shape == 1 ? "eq" : "ne");
-    write_text(view, out, line.text, line.length);
-    fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\n", number, line.label->color, number,
-            line.label->step);
-    fprintf(out, "label_title[%d] = \"label of ", number);
-    for (const char *c = line.names; *c != '\0'; c++)
-        putc(*c == '_' ? ' ' : *c, out);
-    fputs("\"\n", out);
-    write_both(out, "label_u", number, u[0], u[1]);
-    write_both(out, "label_v", number, v[0], v[1]);
-    if (!line.placed[0].free && !line.placed[0].pinned && view->only == SHAPES)
-        write_anchor(out, number, line.placed);
+    fputs(*before == '\0' ? "\"\"" : "", out);
 }
 
 static int lines_of(const Wanted *wanted)
@@ -972,122 +900,91 @@ static int lines_of(const Wanted *wanted)
     return lines;
 }
 
-// The shape of the canvas that is meant by the first or the second place, of two.
-static int shape_at(const PlotView *view, int place)
+// Plots of gnuplot, of a label or a block of text: each line of it, and a leader. Behind them, what
+// the label names: nothing draws that, but who reads the script can tell (tests/house/figures).
+// count: the lines of all labels before, and then with these.
+static void write_wanted(const PlotView *view, FILE *out, const Wanted *first, int *count)
 {
-    return view->only < SHAPES ? view->only : place;
-}
-
-// On one of the canvases.
-static bool is_placed(const PlotView *view, const Wanted *wanted)
-{
-    return wanted->number[shape_at(view, 0)] != NOWHERE ||
-           wanted->number[shape_at(view, 1)] != NOWHERE;
-}
-
-// Lines of labels: those of one label, or of a block of text. The first has the leader.
-static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first,
-                        List leaders[SHAPES])
-{
-    PlacedLabel placed[SHAPES];
-    bool is_there[SHAPES];
-    for (int i = 0; i < SHAPES; i++) {
-        int shape = shape_at(view, i);
-        is_there[i] = first->number[shape] != NOWHERE;
-        placed[i] =
-            is_there[i] ? labels_get(view->labels[shape], first->number[shape]) : (PlacedLabel){0};
-        if (placed[i].leads)
-            *(Leader *)add(&leaders[i], sizeof(Leader)) =
-                (Leader){number, placed[i].start, placed[i].end};
-    }
+    PlacedLabel placed = labels_get(view->labels, first->number);
     bool is_block = first->lines > 0;
     int lines = is_block ? first->lines : lines_of(first);
+    double left = placed.middle.u - (is_block ? placed.width / 2 : 0);
     const char *text = first->text;
+    if (placed.leads)
+        fprintf(out,
+                "leaders = leaders.'$once using (%s):(step < %d ? 1e9 : %s):(%s):(%s) with vectors "
+                "nohead lw 0.8 lc rgb %s title \"leader\", ' # of label %d\n",
+                gnuplot_number(placed.start.u).s, first->label.step,
+                gnuplot_number(placed.start.v).s, gnuplot_number(placed.end.u - placed.start.u).s,
+                gnuplot_number(placed.end.v - placed.start.v).s, first->label.color, *count + 1);
     for (int i = 0; i < lines; i++) {
         const Wanted *wanted = is_block ? first + i : first;
         text = is_block ? wanted->text : text;
         size_t length = strcspn(text, "\n");
-        double above = LINE_HEIGHT * ((lines - 1) / 2.0 - i);
-        write_line(view, out, number++,
-                   (Line){placed, is_there, &wanted->label, text, is_block ? "words" : first->block,
-                          length, above, is_block});
+        double middle = placed.middle.v + LINE_HEIGHT * ((lines - 1) / 2.0 - i);
+        fprintf(out, "labels = labels.'%s$once using (%s):(%s):(step < %d ? \"\" : ",
+                (*count)++ > 0 ? ", " : "", gnuplot_number(left).s, gnuplot_number(middle).s,
+                wanted->label.step);
+        write_text(out, text, length);
+        fprintf(out, ") with labels %stc rgb %s title \"label of ", is_block ? "left " : "",
+                wanted->label.color);
+        for (const char *c = is_block ? "words" : first->block; *c != '\0'; c++)
+            putc(*c == '_' ? ' ' : *c, out);
+        fputs("\"'", out);
+        if (!is_block)
+            fprintf(out, " # names %s %s %s %s %s", gnuplot_number(placed.from.u).s,
+                    gnuplot_number(placed.from.v).s, gnuplot_number(placed.to.u).s,
+                    gnuplot_number(placed.to.v).s, gnuplot_number(placed.radius).s);
+        putc('\n', out);
         text += length + 1;
     }
-    return number;
 }
 
-static void write_arrays(FILE *out, const char *const *names, int size)
+// The panels, and all labels: first those that are centered, then the lines of blocks, which begin
+// at their left edge.
+static void write_view(const PlotView *view, FILE *out)
 {
-    for (; *names != NULL; names++)
-        fprintf(out, "array %s[%d]\n", *names, size > 0 ? size : 1);
-}
-
-static void write_leaders(FILE *out, const List leaders[SHAPES])
-{
-    static const char *const arrays[] = {"leader",    "leader_u",  "leader_v",
-                                         "leader_du", "leader_dv", NULL};
-    int wide = leaders[0].count, narrow = leaders[1].count;
-    write_both(out, "leader_count", 0, wide, narrow);
-    write_arrays(out, arrays, wide > narrow ? wide : narrow);
-    for (int i = 0; i < wide || i < narrow; i++) {
-        Leader of[SHAPES] = {0};
-        for (int shape = 0; shape < SHAPES; shape++)
-            if (i < leaders[shape].count)
-                of[shape] = ((const Leader *)leaders[shape].items)[i];
-        write_both(out, "leader", i + 1, of[0].label, of[1].label);
-        write_both(out, "leader_u", i + 1, of[0].start.u, of[1].start.u);
-        write_both(out, "leader_v", i + 1, of[0].start.v, of[1].start.v);
-        write_both(out, "leader_du", i + 1, of[0].end.u - of[0].start.u,
-                   of[1].end.u - of[1].start.u);
-        write_both(out, "leader_dv", i + 1, of[0].end.v - of[0].start.v,
-                   of[1].end.v - of[1].start.v);
-    }
-}
-
-// First those that are centered, then the lines of blocks, which begin at their left edge.
-static void write_labels(const PlotView *view, FILE *out)
-{
-    static const char *const arrays[] = {"label_text",  "label_color", "label_step", "label_title",
-                                         "label_u",     "label_v",     "anchor_u",   "anchor_v",
-                                         "anchor_to_u", "anchor_to_v", "anchor_r",   NULL};
     const Wanted *wanted = view->wanted.items;
-    List leaders[SHAPES] = {0};
-    int centered = 0, in_blocks = 0, number = 1;
-    for (int i = 0; i < view->wanted.count; i++)
-        if (wanted[i].lines != 0)
-            in_blocks++;
-        else if (is_placed(view, &wanted[i]))
-            centered += lines_of(&wanted[i]);
-    fprintf(out, "centered_count = %d\nlabel_count = %d\n", centered, centered + in_blocks);
-    write_arrays(out, arrays, centered + in_blocks);
+    int count = 0;
+    for (int panel = 1; panel < PANELS; panel++)
+        fprintf(out, "size[%d] = %s\nzero_x[%d] = %s\nzero_y[%d] = %s\n", panel,
+                gnuplot_number(view->size[panel]).s, panel, gnuplot_number(view->zero_u[panel]).s,
+                panel, gnuplot_number(view->zero_v[panel]).s);
+    fputs("leaders = ''\nlabels = ''\n", out);
     for (int blocks = 0; blocks < 2; blocks++)
         for (int i = 0; i < view->wanted.count; i++)
-            if (wanted[i].lines >= 0 && (wanted[i].lines > 0) == blocks &&
-                is_placed(view, &wanted[i]))
-                number = write_wanted(view, out, number, &wanted[i], leaders);
-    write_leaders(out, leaders);
-    for (int shape = 0; shape < SHAPES; shape++)
-        free(leaders[shape].items);
-    fputs("@place_labels\n", out);
+            if (wanted[i].number != NOWHERE && wanted[i].lines >= 0 &&
+                (wanted[i].lines > 0) == blocks)
+                write_wanted(view, out, &wanted[i], &count);
+    fputs("labels = leaders.labels\n", out);
 }
 
 bool plot_view_end(Plot *plot)
 {
     PlotView *view = plot->view;
+    Wanted *wanted = view->wanted.items;
     if (!view->looks)
         return false;
     if (plot->is_moved && view->is_held) // only the handles are asked for, and the view is known
         return true;
-    for (int shape = 0; shape < SHAPES; shape++)
-        if (view->only == SHAPES || view->only == shape)
-            place(view, shape);
-    for (int panel = 1; panel < PANELS; panel++) {
-        write_both(plot->script, "size", panel, view->size[0][panel], view->size[1][panel]);
-        write_both(plot->script, "zero_x", panel, view->zero_u[0][panel], view->zero_u[1][panel]);
-        write_both(plot->script, "zero_y", panel, view->zero_v[0][panel], view->zero_v[1][panel]);
+    for (int i = 0; i < view->wanted.count; i++) {
+        char *text = with_words(view, wanted[i].text);
+        free(wanted[i].text);
+        wanted[i].text = text;
+    }
+    bool both = view->only == SHAPES;
+    for (int shape = SHAPES - 1; shape >= 0; shape--) { // of both, handles are on the last
+        if (!both && shape != view->only)
+            continue;
+        view->shape = shape;
+        place(view);
+        if (both)
+            fprintf(plot->script, "if (shape %s \"4:3\") {\n", shape == 0 ? "ne" : "eq");
+        write_view(view, plot->script);
+        if (both)
+            fputs("}\n", plot->script);
     }
     fputs("scale = size[1]\n", plot->script);
-    write_labels(view, plot->script);
     return true;
 }
 
@@ -1095,23 +992,17 @@ bool plot_view_end(Plot *plot)
 
 void plot_view_only(Plot *plot, int shape)
 {
-    plot->view->only = shape;
-}
-
-static int shape_of(const PlotView *view)
-{
-    return view->only < SHAPES ? view->only : 0;
+    plot->view->only = plot->view->shape = shape;
 }
 
 bool plot_view_hold(Plot *plot, const char *text)
 {
     PlotView *view = plot->view;
-    int shape = shape_of(view);
     for (int panel = 1; panel < PANELS; panel++) {
         int used = 0;
-        if (sscanf(text, "%lf,%lf,%lf;%n", &view->size[shape][panel], &view->zero_u[shape][panel],
-                   &view->zero_v[shape][panel], &used) != 3 ||
-            used == 0 || !(view->size[shape][panel] > 0))
+        if (sscanf(text, "%lf,%lf,%lf;%n", &view->size[panel], &view->zero_u[panel],
+                   &view->zero_v[panel], &used) != 3 ||
+            used == 0 || !(view->size[panel] > 0))
             return false;
         text += used;
     }
@@ -1122,11 +1013,9 @@ bool plot_view_hold(Plot *plot, const char *text)
 void plot_view_print(const Plot *plot, FILE *out)
 {
     const PlotView *view = plot->view;
-    int shape = shape_of(view);
     for (int panel = 1; view->looks && panel < PANELS; panel++)
-        fprintf(out, "%s,%s,%s;", gnuplot_number(view->size[shape][panel]).s,
-                gnuplot_number(view->zero_u[shape][panel]).s,
-                gnuplot_number(view->zero_v[shape][panel]).s);
+        fprintf(out, "%s,%s,%s;", gnuplot_number(view->size[panel]).s,
+                gnuplot_number(view->zero_u[panel]).s, gnuplot_number(view->zero_v[panel]).s);
 }
 
 bool plot_view_is_held(const Plot *plot)
@@ -1141,7 +1030,7 @@ int plot_view_panel(const Plot *plot)
 
 bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2])
 {
-    Spot spot = spot_of(plot->view, shape_of(plot->view), panel, place);
+    Spot spot = spot_of(plot->view, panel, place);
     uv[0] = spot.u;
     uv[1] = spot.v;
     return plot->view->looks && is_somewhere(spot);
@@ -1149,7 +1038,7 @@ bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2])
 
 void plot_view_way(const Plot *plot, int panel, vec3 way, double uv[2])
 {
-    double size = plot->view->size[shape_of(plot->view)][panel];
+    double size = plot->view->size[panel];
     uv[0] = size * vec3_dot(plot->view->look[panel].u, way);
     uv[1] = size * vec3_dot(plot->view->look[panel].v, way);
 }

@@ -259,20 +259,15 @@ class Label:
         return self.anchor[0] == self.anchor[1] and to_line(self.anchor[0], anchor[:2]) < ON + anchor[2]
 
 
-def numbered(figure, names):
-    """name[number] = value, in this shape."""
-    for name, number, narrow, wide in re.findall(
-            rf'^({names})\[(\d+)\] = (?:shape eq "4:3" \? (\S+) : )?(\S+)$', figure.script, re.M):
-        yield int(number), name, float(narrow if narrow and figure.width == 720 else wide)
-
-
 def anchors_of(figure):
     """Number of a label's line: the stretch that it names, and the radius of the disc around it."""
     found = {}
-    for number, name, value in numbered(figure, r"anchor_\w+"):
-        found.setdefault(number, {})[name] = value
-    return {number: ((a["anchor_u"], a["anchor_v"]), (a["anchor_to_u"], a["anchor_to_v"]), a["anchor_r"])
-            for number, a in found.items()}
+    for number, line in enumerate(re.findall(r"^labels = labels\.'(.*)$", figure.placed(), re.M), 1):
+        named = re.search(r"' # names (.*)", line)
+        if named:
+            u, v, to_u, to_v, radius = map(float, named.group(1).split())
+            found[number] = ((u, v), (to_u, to_v), radius)
+    return found
 
 
 def labels_of(figure, texts, marks):
@@ -280,7 +275,7 @@ def labels_of(figure, texts, marks):
     groups = [group for title in figure.plots if title.startswith("label of ") for group in figure.plots[title]]
     groups.sort(key=lambda group: int(group.get("id").rsplit("_", 1)[1]))
     anchors = anchors_of(figure)
-    led = {int(label): marks.leaders[number - 1] for number, _, label in numbered(figure, "leader") if number <= len(marks.leaders)}
+    led = dict(zip(map(int, re.findall(r"' # of label (.*)", figure.placed())), marks.leaders))
     by_group = {}
     for text in texts:
         if text.words and text.plot is not None:

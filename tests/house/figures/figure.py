@@ -162,10 +162,14 @@ class Figure:
     def number(self, name):
         return float(self.variables[name])
 
+    def placed(self):
+        """What C has placed on this canvas (common/figure/plot_view.c)."""
+        which = "eq" if self.width == 720 else "ne"
+        return re.search(rf'^if \(shape {which} "4:3"\) {{\n(.*?)^}}$', self.script, re.M | re.S).group(1)
+
     def chosen(self, name):
-        """A number that may be another one on the narrow canvas."""
-        narrow, wide = re.search(re.escape(name) + r' = (?:shape eq "4:3" \? (.*) : )?(.*)', self.script).groups()
-        return float(narrow if narrow and self.width == 720 else wide)
+        """A number of that."""
+        return float(re.search(rf"^{re.escape(name)} = (.*)", self.placed(), re.M).group(1))
 
     def text(self, name):
         return self.variables[name].strip('"')
