@@ -126,12 +126,6 @@ void plot_row_dot_of(Plot *plot, vec3 place, int count, const double *numbers)
     plot_row_at_of(plot, place, count, numbers);
 }
 
-void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number)
-{
-    plot_view_row(plot, from, vector);
-    plot_row_at(plot, from, vector[0], vector[1], vector[2], number);
-}
-
 void plot_gap(Plot *plot)
 {
     putc('\n', plot->rows);
@@ -283,6 +277,13 @@ void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
     define_label(plot, name, vec3_shown(vector).s, is_wrong);
     if (is_wrong)
         plot_fit(plot, from + vector, 0);
+}
+
+void plot_seen_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
+{
+    plot_vector(plot, name, from, vector);
+    plot_fit(plot, from, 0);
+    plot_fit(plot, from + vector, 0);
 }
 
 void plot_direction(Plot *plot, const char *name, vec3 v)

@@ -45,6 +45,9 @@ void plot_point(Plot *plot, const char *name, vec3 point);
 // $NAME: x y z of where it starts, x y z of the vector, and NAME_text = "(x, y, z)" of the vector.
 void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
 
+// The same, and both of its ends have to be seen (plot_fit).
+void plot_seen_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
+
 // NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
 void plot_direction(Plot *plot, const char *name, vec3 v);
 
@@ -65,7 +68,6 @@ void plot_block(Plot *plot, const char *name, const char *columns);
 #define plot_row_dot(plot, place, ...) plot_row_dot_of(plot, place, PLOT_NUMBERS(__VA_ARGS__))
 void plot_row_point(Plot *plot, vec3 point);              // x y z
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
-void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number); // and one more number
 void plot_gap(Plot *plot); // an empty line: what follows is not joined with what went before
 
 // The same, of numbers in an array: alone, after x y z of a place, and after those of a dot.

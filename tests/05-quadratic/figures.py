@@ -272,7 +272,7 @@ def world_object(m, by=(0, 0, 0)):
         checks.near("v, moved", figure.tips("object v"), there.place(seen.at(figure.number("stride"))))
     if figure.number("near_origin"):
         # An axis is drawn through the origin along x, y or z: the point where it would reach the tip.
-        for x, y, z, dx, dy, dz, _ in figure.block("world_axes"):
+        for x, y, z, dx, dy, dz in figure.block("world_axes"):
             checks.that("an axis goes through the origin", length(cross((x, y, z), (dx, dy, dz))) < 1e-6)
     return figure
 

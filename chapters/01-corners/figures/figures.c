@@ -16,19 +16,10 @@ static double largest(Camera c)
 // Dimensions are beside their edges, in units of the canvas: above, or to the right.
 enum { GAP = 14 };
 
-#define COUNT(items) (sizeof(items) / sizeof *(items))
-
 // An arrow from one place on the plane to another.
 static void plot_edge(Plot *plot, const char *name, Camera c, vec3 from, vec3 to)
 {
     plot_vector(plot, name, c.origin + from, to - from);
-}
-
-static void one_axis(Plot *plot, const char *name, vec3 from, vec3 to)
-{
-    plot_vector(plot, name, from, to - from);
-    plot_fit(plot, from, 0);
-    plot_fit(plot, to, 0);
 }
 
 // The world's axes go through the origin and along the whole camera. If the origin is too far away
@@ -43,14 +34,14 @@ static void world_axes(Plot *plot, Camera c)
     for (int i = 0; i < 3; i++) {
         vec3 direction = vec3_of(i == 0, i == 1, i == 2);
         if (far) {
-            one_axis(plot, names[i], below, below + size / 6 * direction);
+            plot_seen_vector(plot, names[i], below, size / 6 * direction);
             continue;
         }
         double half = (c.width * fabs(c.right[i]) + c.height * fabs(c.up[i])) / 2;
         double middle = c.origin[i] + c.distance * c.forward[i];
         double low = fmin(0, fmin(c.origin[i], middle - half));
         double high = fmax(0, fmax(c.origin[i], middle + half));
-        one_axis(plot, names[i], low * direction, (high + size / 8) * direction);
+        plot_seen_vector(plot, names[i], low * direction, (high + size / 8 - low) * direction);
     }
 }
 
@@ -59,11 +50,8 @@ static void frame_arrows(Plot *plot, Camera c)
 {
     const vec3 frame[] = {c.right, c.up, c.forward};
     static const char *const names[] = {"right_arrow", "up_arrow", "forward_arrow"};
-    for (int i = 0; i < 3; i++) {
-        vec3 arrow = largest(c) / 4 * frame[i];
-        plot_vector(plot, names[i], c.origin, arrow);
-        plot_fit(plot, c.origin + arrow, 0);
-    }
+    for (int i = 0; i < 3; i++)
+        plot_seen_vector(plot, names[i], c.origin, largest(c) / 4 * frame[i]);
 }
 
 static void camera_frame(Plot *plot, void *given)
@@ -166,8 +154,7 @@ static void point_30_10(Plot *plot, void *given)
     plot_vector(plot, "ahead", c.origin, middle);
     plot_edge(plot, "aside", c, middle, aside);
     plot_edge(plot, "up_or_down", c, aside, image_plane_vector(c, s, t));
-    plot_vector(plot, "vector", c.origin, v);
-    plot_fit(plot, c.origin + v, 0);
+    plot_seen_vector(plot, "vector", c.origin, v);
     plot_look(plot, c.right, c.up, c.forward, 42, 16);
     plot_names(plot, {"$p$", "blue", .block = "eye"},
                {"{percent_across} %", "orange", .block = "across", .part = ANYWHERE},
@@ -192,20 +179,13 @@ enum { PLANES = 3 };
 // a level of its own, between thin lines down from the eye and from the plane's lower edge.
 static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
 {
-    static const struct {
-        const char *name;
-        double from_s, from_t, to_s, to_t, moved_u, moved_v;
-    } edges[] = {{"w", 0, 1, 1, 1, 0, GAP}, {"h", 1, 0, 1, 1, GAP, 0}};
-    for (size_t i = 0; i < COUNT(edges); i++) {
-        plot_moved(plot, edges[i].moved_u, edges[i].moved_v);
-        plot_edge(plot, text_of("%s_%s", which, edges[i].name).s, c,
-                  image_plane_vector(c, edges[i].from_s, edges[i].from_t),
-                  image_plane_vector(c, edges[i].to_s, edges[i].to_t));
-    }
+    vec3 corner = image_plane_vector(c, 1, 1);
+    plot_moved(plot, 0, GAP);
+    plot_edge(plot, text_of("%s_w", which).s, c, image_plane_vector(c, 0, 1), corner);
+    plot_moved(plot, GAP, 0);
+    plot_edge(plot, text_of("%s_h", which).s, c, image_plane_vector(c, 1, 0), corner);
     vec3 below = image_plane_vector(c, 0.5, 0), end = c.origin + down + c.distance * c.forward;
-    plot_vector(plot, text_of("%s_d", which).s, c.origin + down, c.distance * c.forward);
-    plot_fit(plot, c.origin + down, 0);
-    plot_fit(plot, end, 0);
+    plot_seen_vector(plot, text_of("%s_d", which).s, c.origin + down, c.distance * c.forward);
     plot_block(plot, text_of("%s_down", which).s,
                "x y z of a place, x y z of the way down to a dimension");
     plot_row_vector(plot, c.origin, down);
@@ -215,14 +195,12 @@ static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
 static void name_dimensions(Plot *plot, const char *which, int step, const char *note,
                             const char *const *names)
 {
-    static const struct {
-        const char *block, *color;
-    } looks[] = {{"d", "pink"}, {"w", "orange"}, {"h", "green"}};
-    for (size_t i = 0; i < COUNT(looks); i++) {
+    static const char *const colors[] = {"pink", "orange", "green"};
+    for (int i = 0; i < 3; i++) {
         Text text = text_of("%s$%s$ = {%s}", i == 0 ? note : "", names[2 * i], names[2 * i + 1]);
-        Text block = text_of("%s_%s", which, looks[i].block);
-        plot_name(plot, (Label){text.s, looks[i].color, .step = step, .block = block.s,
-                                .part = ANYWHERE});
+        Text block = text_of("%s_%c", which, "dwh"[i]);
+        plot_name(plot,
+                  (Label){text.s, colors[i], .step = step, .block = block.s, .part = ANYWHERE});
     }
 }
 
@@ -231,9 +209,9 @@ static void name_dimensions(Plot *plot, const char *which, int step, const char 
 static void common_rays(Plot *plot, const View *view, double farthest)
 {
     Camera c = view->camera;
-    const double places[][2] = {{0, 1}, {1, 1}, {0, 0}, {1, 0}, {view->s, view->t}};
+    const double places[5][2] = {{0, 1}, {1, 1}, {0, 0}, {1, 0}, {view->s, view->t}};
     plot_block(plot, "rays", "x y z of the eye, x y z along a ray");
-    for (size_t i = 0; i < COUNT(places); i++) {
+    for (int i = 0; i < 5; i++) {
         vec3 v = 1.15 * farthest * image_plane_vector(c, places[i][0], places[i][1]);
         plot_row_vector(plot, c.origin, v);
         plot_fit(plot, c.origin + v, 0);

@@ -121,8 +121,7 @@ static void look_at_panel(Plot *plot, Forms forms)
     plot_direction(plot, "look_up", view.up);
     plot_number(plot, "aspect", view.aspect);
     plot_vector(plot, "view", view.eye, view.at - view.eye);
-    plot_vector(plot, "up_arrow", view.eye, up);
-    plot_fit(plot, view.eye + up, 0);
+    plot_seen_vector(plot, "up_arrow", view.eye, up);
     plot_names(plot, {"at", "pink", .step = 1, .block = "view", .part = 0.97},
                {"up", "green", .step = 1, .block = "up_arrow", .part = 1});
 }

@@ -27,13 +27,6 @@ static vec3 flat(double x, double y)
     return vec3_of(x, y, 0);
 }
 
-static void axis(Plot *plot, const char *name, vec3 from, vec3 to)
-{
-    plot_vector(plot, text_of("%s_axis", name).s, from, to - from);
-    plot_fit(plot, from, 0);
-    plot_fit(plot, to, 0);
-}
-
 static void point_panel(Plot *plot, PointPanel p)
 {
     double aside = 0.07 * fmax(fabs(p.x), fabs(p.y));
@@ -44,8 +37,8 @@ static void point_panel(Plot *plot, PointPanel p)
     for (int i = 0; i < 5; i++)
         plot_row_point(plot, corners[i]);
     plot_point(plot, p.origin, flat(0, 0));
-    axis(plot, p.first, flat(0, level), flat(p.x, level));
-    axis(plot, p.second, flat(left, 0), flat(left, p.y));
+    plot_seen_vector(plot, text_of("%s_axis", p.first).s, flat(0, level), flat(p.x, 0));
+    plot_seen_vector(plot, text_of("%s_axis", p.second).s, flat(left, 0), flat(0, p.y));
     plot_fit(plot, flat(p.at_x, p.at_y), 0);
     plot_vector(plot, p.first, flat(0, p.at_y), flat(p.at_x, 0));
     plot_vector(plot, p.second, flat(p.at_x, p.from_y), flat(0, p.at_y - p.from_y));

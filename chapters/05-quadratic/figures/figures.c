@@ -129,15 +129,14 @@ static double stride(const Section *s)
     if (least <= 1 && 1 <= most)
         return 1;
     double ten = pow(10, floor(log10(least)));
-    for (int i = 0; i < 2; i++)
-        if (least <= (i == 0 ? 2 : 5) * ten)
-            return (i == 0 ? 2 : 5) * ten;
-    return 10 * ten;
+    return (least <= 2 * ten ? 2 : least <= 5 * ten ? 5 : 10) * ten;
 }
 
-// Chooses the marks, after everything that must be visible is included.
-static void section_end(Section *s)
+// Chooses the marks, after everything that must be visible is included: at last, roots.
+static void section_end(Section *s, Roots roots)
 {
+    section_include(s, root_shown(roots, 0));
+    section_include(s, root_shown(roots, 1));
     s->stride = stride(s);
     if (s->near) // the tip of v must also be visible
         s->high = fmax(s->high, 1.1 * s->stride);
@@ -189,20 +188,15 @@ static double tick(const Section *s, int i)
     return (first_tick(s) + i) * s->stride;
 }
 
-static void one_tick(Plot *plot, const Section *s, double t)
-{
-    vec3 p = section_point(s, t) + s->axis;
-    plot_row_dot(plot, p, t);
-}
-
 static void ticks(Plot *plot, const Section *s)
 {
     plot_block(plot, "ticks", "x y z t");
-    for (int i = 0; i < ticks_shown(s); i++)
-        one_tick(plot, s, tick(s, i));
     // So far away that neighbouring whole numbers are the same double: the block must not be empty.
-    if (ticks_shown(s) <= 0)
-        one_tick(plot, s, s->t);
+    int count = ticks_shown(s);
+    for (int i = 0; i < (count > 0 ? count : 1); i++) {
+        double t = count > 0 ? tick(s, i) : s->t;
+        plot_row_dot(plot, section_point(s, t) + s->axis, t);
+    }
 }
 
 static void see(Plot *plot, const Section *s)
@@ -296,6 +290,15 @@ static void section_handles(Plot *plot, const Section *s, bool turns)
                        s->sphere.center + s->sphere.radius * rim, rim);
 }
 
+// The roots, their places $hit0 and $hit1, and the hit.
+static void roots_data(Plot *plot, const Meeting *m, Roots roots)
+{
+    root_numbers(plot, "", roots);
+    root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
+    root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
+    plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), root_digits(roots));
+}
+
 // ---- ray-sphere --------------------------------------------------------------------------------
 
 // The hit in words.
@@ -307,11 +310,6 @@ static void verdict(Plot *plot, Roots roots, double hit, double away)
     else if (roots_shown(roots) == 0)
         words = text_of("no root: C is %s away", number_shown(away).s);
     plot_label(plot, "verdict", words.s);
-}
-
-static bool is_moved(const Meeting *m)
-{
-    return vec3_length(m->sphere.center) > 0;
 }
 
 // The color of a root: the result is blue, another one ahead of p is ink.
@@ -352,19 +350,14 @@ static void ray_sphere(Plot *plot, void *given)
     Roots roots = sphere_roots(m->ray, m->sphere);
     double hit = hit_sphere(m->ray, m->sphere);
     Section section = section_upright(m->ray, m->sphere);
-    for (int i = 0; i < roots_shown(roots); i++)
-        section_include(&section, roots.t[i]);
     section_include(&section, hit);
-    section_end(&section);
+    section_end(&section, roots);
     section_data(plot, &section);
 
     plot_point(plot, "object_p", to_object_coordinates(m->ray, m->sphere).origin);
-    plot_number(plot, "moved", is_moved(m));
+    plot_number(plot, "moved", vec3_length(m->sphere.center) > 0);
     coefficient_numbers(plot, "", quadratic_of(m));
-    root_numbers(plot, "", roots);
-    plot_number_to(plot, "hit", hit, root_digits(roots));
-    root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
-    root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
+    roots_data(plot, m, roots);
     root_mark(plot, "used", m->ray, hit);
     verdict(plot, roots, hit, section.away);
     ray_sphere_labels(plot, &section);
@@ -450,31 +443,14 @@ static Text signed_term(double x, int digits)
     return x == 0 ? (Text){""} : text_of(" %s %s", x < 0 ? "\u2212" : "+", number.s);
 }
 
-// The terms of a t² + b t + c with their signs; of the first, 1 is not written.
-static void polynomial(Plot *plot, Quadratic q)
+// a t² + b t + c; 1 and 0 are not written. mark: around what is mathematics in a label, "$" or "".
+static Text polynomial(Quadratic q, const char *mark)
 {
     int digits = coefficient_digits(q);
-    plot_label(plot, "first", q.a == 1 ? "" : number_shown_to(q.a, digits).s);
-    plot_label(plot, "second", signed_term(q.b, digits).s);
-    plot_label(plot, "third", signed_term(q.c, digits).s);
-}
-
-// The same as a label, of what is right or, where it differs, of yours.
-static Text polynomial_label(const Plot *plot, const char *begin, bool yours)
-{
-    static const struct {
-        const char *term, *number, *after;
-        double unwritten;
-    } terms[] = {{"first", "a", " $t²$", 1}, {"second", "b", " $t$", 0}, {"third", "c", "", 0}};
-    Text text = text_of("%s", begin);
-    for (int i = 0; i < 3; i++) {
-        const char *your = yours && plot_says_yours(plot, terms[i].term) ? "your_" : "";
-        if (plot_shown(plot, joined(your, terms[i].number)) != terms[i].unwritten)
-            text = text_of("%s{%s%s}%s", text.s, your, terms[i].term, terms[i].after);
-        else if (i == 0)
-            text = text_of("%s$t²$", text.s);
-    }
-    return text;
+    Text first = q.a == 1 ? (Text){""} : text_of("%s ", number_shown_to(q.a, digits).s);
+    Text second =
+        q.b == 0 ? (Text){""} : text_of("%s %st%s", signed_term(q.b, digits).s, mark, mark);
+    return text_of("%s%st²%s%s%s", first.s, mark, mark, second.s, signed_term(q.c, digits).s);
 }
 
 static void parabola_labels(Plot *plot, const Graph *g)
@@ -494,10 +470,8 @@ static void parabola_labels(Plot *plot, const Graph *g)
                {touches ? "" : "$t_1$ = {t1}", root_color(plot, "t1"), .step = 3,
                 .place = graph_point(g, taken[1], 0)});
     section_marks(plot, s, 2, 3, taken);
-    Text right = polynomial_label(plot, "$=$ ", false),
-         yours = polynomial_label(plot, "yours = ", true);
     Label words[6] = {{"$f (t) = |p + t v|² − r²$", "ink", .step = 2},
-                      {right.s, "ink", .step = 2},
+                      {"$=$ {formula}", "ink", .step = 2},
                       {above     ? "$f (0) = c =$ {c}"
                        : s->near ? "$f (0) = c =$ {c} is higher up"
                                  : "$f (0) = c =$ {c}, $t$ = 0 is far away",
@@ -505,8 +479,8 @@ static void parabola_labels(Plot *plot, const Graph *g)
     int count = 3;
     if (plot_shown(plot, "roots") == 0)
         words[count++] = (Label){"no root: $f$ is never below {f_nearest}", "grey", .step = 3};
-    if (strcmp(right.s + strlen("$=$ "), yours.s + strlen("yours = ")) != 0)
-        words[count++] = (Label){yours.s, "ink", .step = 2};
+    if (plot_says_yours(plot, "formula"))
+        words[count++] = (Label){"yours = {your_formula}", "ink", .step = 2};
     plot_say_of(plot, 0, 1, count, words);
 }
 
@@ -516,27 +490,22 @@ static void parabola_data(Plot *plot, void *given)
     Quadratic q = quadratic_of(m);
     Roots roots = quadratic_roots(q);
     Section section = section_level(m->ray, m->sphere);
-    for (int i = 0; i < roots_shown(roots); i++)
-        section_include(&section, roots.t[i]);
     section_include(&section, -q.b / (2 * q.a)); // the lowest point, if it is elsewhere
-    section_end(&section);
+    section_end(&section, roots);
     Graph graph = graph_of(&section);
     section.axis = (graph.axis - section.away) * section.off;
     section_data(plot, &section);
 
-    plot_number(plot, "f_low", graph.low);
     plot_number(plot, "f_high", graph.high);
     plot_number(plot, "f_axis", vec3_dot(graph_point(&graph, 0, 0), section.off));
     plot_number(plot, "f_scale", graph.scale);
     plot_number(plot, "t_zero", vec3_dot(m->ray.origin, section.line));
     plot_number(plot, "speed", vec3_length(m->ray.direction));
     coefficient_numbers(plot, "", q);
-    polynomial(plot, q);
-    root_numbers(plot, "", roots);
-    plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), root_digits(roots));
+    plot_label(plot, "formula", polynomial(q, "$").s);
+    plot_label(plot, "polynomial", polynomial(q, "").s);
+    roots_data(plot, m, roots);
     plot_number(plot, "f_nearest", quadratic_value(q, section.t));
-    root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
-    root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
     parabola(plot, &graph, q);
     drawn_above(plot, &graph);
     parabola_labels(plot, &graph);
@@ -574,7 +543,6 @@ static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
     plot_number(plot, "s", sides.s);
     plot_number(plot, "m", sides.m);
     plot_number(plot, "k", sides.k);
-    plot_number(plot, "speed", vec3_length(s->ray.direction));
     if (!s->near)
         plot_undrawn(plot);
     plot_vector(plot, "l", s->ray.origin, s->sphere.center - s->ray.origin);
@@ -620,15 +588,10 @@ static void geometric_roots(Plot *plot, void *given)
     const Meeting *m = given;
     Roots roots = sphere_roots(m->ray, m->sphere);
     Section section = section_level(m->ray, m->sphere);
-    for (int i = 0; i < roots_shown(roots); i++)
-        section_include(&section, roots.t[i]);
-    section_end(&section);
+    section_end(&section, roots);
     section_data(plot, &section);
     Sides sides = sides_of(&section);
-    root_numbers(plot, "", roots);
-    plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), root_digits(roots));
-    root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
-    root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
+    roots_data(plot, m, roots);
     bool misses = plot_shown(plot, "roots") == 0;
     sides_data(plot, &section, sides, misses);
     sides_labels(plot, &section, sides, misses);
@@ -637,19 +600,13 @@ static void geometric_roots(Plot *plot, void *given)
 
 // ---- world-object ------------------------------------------------------------------------------
 
-static bool same_point(vec3 a, vec3 b)
-{
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 // If the lecture's sphere is around the origin, both coordinates are the same. Moved, they differ.
 static Meeting moved(const Meeting *m)
 {
     Meeting moved = *m;
     vec3 by = m->sphere.radius * vec3_of(3, 2, 0);
-    if (same_point(m->sphere.center, vec3_of(0, 0, 0)) &&
-        same_point(example_sphere().center, m->sphere.center) &&
-        same_point(example_ray().origin, m->ray.origin)) {
+    if (vec3_length(m->sphere.center) == 0 && vec3_length(example_sphere().center) == 0 &&
+        vec3_length(example_ray().origin - m->ray.origin) == 0) {
         moved.ray.origin += by;
         moved.sphere.center += by;
     }
@@ -661,12 +618,12 @@ static void axes(Plot *plot, const char *name, const Section *s, double low, dou
 {
     static const char *const names[] = {"$x$", "$y$", "$z$"};
     int count = 0;
-    plot_block(plot, name, "x y z of an axis's low end, x y z from there to its high end, which");
+    plot_block(plot, name, "x y z of an axis's low end, x y z from there to its high end");
     for (int i = 0; i < 3; i++) {
         vec3 axis = vec3_of(i == 0, i == 1, i == 2);
         if (hypot(vec3_dot(axis, s->right), vec3_dot(axis, s->up)) < 0.1)
             continue;
-        plot_row_vector_with(plot, low * axis, (high - low) * axis, i + 1);
+        plot_row_vector(plot, low * axis, (high - low) * axis);
         plot_fit(plot, low * axis, 0);
         plot_fit(plot, high * axis, 0);
         plot_name(plot, (Label){names[i], "grey", .step = step, .block = name, .row = count++,
@@ -685,8 +642,7 @@ static void world_panel(Plot *plot, const Section *s)
     vec3 shown = near ? c : 3 * s->size / away * c;
     double length = near ? fmax(0.5 * away, 1.4 * s->size) : NAN;
     axes(plot, "world_axes", s, near ? -0.5 * s->size : NAN, length, 1);
-    plot_vector(plot, "c", c - shown, shown);
-    plot_fit(plot, c - shown, 0);
+    plot_seen_vector(plot, "c", c - shown, shown);
     double across = vec3_dot(c, s->right), upward = vec3_dot(c, s->up),
            flat = hypot(across, upward);
     vec3 aside = flat > 0 ? (upward * s->right - across * s->up) / flat : s->right;
@@ -839,11 +795,9 @@ static void world_object(Plot *plot, void *given)
     Section section = section_upright(m.ray, m.sphere);
     Quadratic world = world_quadratic(m.ray, m.sphere), object = quadratic_of(&m);
     Roots world_roots = quadratic_roots(world), object_roots = quadratic_roots(object);
-    for (int i = 0; i < 2; i++) {
-        section_include(&section, root_shown(world_roots, i));
-        section_include(&section, root_shown(object_roots, i));
-    }
-    section_end(&section);
+    section_include(&section, root_shown(world_roots, 0));
+    section_include(&section, root_shown(world_roots, 1));
+    section_end(&section, object_roots);
     plot_apart(plot);
     section_data(plot, &section);
     Ray object_ray = to_object_coordinates(m.ray, m.sphere);

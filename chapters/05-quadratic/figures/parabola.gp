@@ -2,9 +2,8 @@
 # quadratic'): where f is 0, the line meets the circle.
 touches = roots == 2 && t0 == t1
 title = own("The quadratic as a parabola")
-description = sprintf(own("Above, f(t) = |p + t v|² − r² = %s%st²%s%s%s above an axis for t; f(0) is %s. Below, on the same \
-axis, the ray and the circle.")." ", first_text, first_text eq "" ? "" : " ", second_text, second_text eq "" ? "" : " t", \
-    third_text, c_text).( \
+description = sprintf(own("Above, f(t) = |p + t v|² − r² = %s above an axis for t; f(0) is %s. Below, on the same \
+axis, the ray and the circle.")." ", polynomial_text, c_text).( \
     roots == 0 ? sprintf(own("The parabola stays above the axis, and the line misses the circle. At the lowest point, t = %s, f is %s."), \
         t_nearest_text, f_nearest_text) : \
     touches ? sprintf(own("The parabola touches the axis, and the line touches the circle, at t = %s."), t0_text) : \

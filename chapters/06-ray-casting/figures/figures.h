@@ -2,7 +2,6 @@
 #ifndef CHAPTERS_06_RAY_CASTING_FIGURES_FIGURES_H
 #define CHAPTERS_06_RAY_CASTING_FIGURES_FIGURES_H
 
-#include "chapters/06-ray-casting/figures/figures.h"
 #include "common/camera.h"
 #include "common/figure/plot.h"
 #include "common/ray.h"

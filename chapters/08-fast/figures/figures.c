@@ -66,9 +66,7 @@ static void plane(Plot *plot, const View *view)
 {
     vec3 left = from_above(view, image_plane_vector(view->camera, 0, 0.5));
     vec3 right = from_above(view, image_plane_vector(view->camera, 1, 0.5));
-    plot_vector(plot, "plane", left, right - left);
-    plot_fit(plot, left, 0);
-    plot_fit(plot, right, 0);
+    plot_seen_vector(plot, "plane", left, right - left);
 }
 
 // $NAME, the line from the eye; $NAME_mark, where it meets the plane; $NAME_radius, from the center
