@@ -36,3 +36,20 @@ scene_room = "0.035 0.65 0.17 0.95"
 picture_x = 800
 picture_y = 320
 picture_size = 270.0
+# '@place_picture' chooses the size of its pixels, which are squares, and its place. Of 'sets', the first 'done' are shown.
+place_picture = 'side = picture_size / most(columns, rows); left = picture_x - side * columns / 2; \
+    upper = picture_y + side * rows / 2'
+in_picture = "(left+side*($5+0.5)):(upper-side*($6+0.5)):(left+side*$5):(left+side*($5+1)):(upper-side*($6+1)):(upper-side*$6)"
+plane_and_pixels = '$plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    for [k=0:done-1] $sets every :::k::k using @point:4 with filledcurves closed fc rgb variable fs solid noborder \
+        title "pixels", \
+    $grid using @point with @hair lc rgb grey title "grid", \
+    $plane using @point with @lines lc rgb ink title "plane",'
+eye_and_picture = '$eye using @point with @dot lc rgb blue title "eye", \
+    $eye using @point:(own("eye")) with labels left tc rgb blue offset -1,-1 title "eye, label", \
+    $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
+        title "picture", \
+    for [_=1:done>0] $sets every 1:1:0:0:0:(done-1) using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder \
+        title "picture, pixels", \
+    $square using (left+side*columns*$1):(upper-side*rows*$2) with @lines lc rgb ink title "picture, outline", \
+    $once using (picture_x):(upper + 26):(own("the picture")) with labels tc rgb ink title "picture, name",'

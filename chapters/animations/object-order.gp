@@ -30,33 +30,19 @@ room = scene_room
 @see
 @spheres
 
-side = picture_size / most(columns, rows)
-left = picture_x - side * columns / 2
-upper = picture_y + side * rows / 2
-in_picture = "(left+side*($5+0.5)):(upper-side*($6+0.5)):(left+side*$5):(left+side*($5+1)):(upper-side*($6+1)):(upper-side*$6)"
-so_far = "every 1:1:0:0:0:(done-1)"
+@place_picture
 lines_now = sprintf("$lines%d", most(0, ball_now))
 outline_now = sprintf("$outline%d", most(0, ball_now))
 longest = 160 # places of a line, from the eye to the sphere
 shown = "every ::(int(longest*(1-part)))"
 
 plot @behind \
-    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    for [k=0:done-1] $sets every :::k::k using @point:4 with filledcurves closed fc rgb variable fs solid noborder \
-        title "pixels", \
-    $grid using @point with @hair lc rgb grey title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
+    @plane_and_pixels \
     @before \
     for [_=0:ball_now] @lines_now @shown using @point with @hidden lc rgb blue title "lines to the eye, all of them", \
     for [_=0:ball_now] @lines_now @shown using @bold with @ray lc rgb blue title "lines to the eye", \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @halo title "outline, halo", \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
-    $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:(own("eye")) with labels left tc rgb blue offset -1,-1 title "eye, label", \
-    $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
-        title "picture", \
-    for [_=1:done>0] $sets @so_far using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder title "picture, pixels", \
-    $square using (left+side*columns*$1):(upper-side*rows*$2) with @lines lc rgb ink title "picture, outline", \
-    $once using (picture_x):(upper + 26):(own("the picture")) with labels tc rgb ink title "picture, name", \
+    @eye_and_picture \
     $once using (width / 2):(44):(said) with labels tc rgb ink title "words"

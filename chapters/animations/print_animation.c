@@ -41,13 +41,6 @@ typedef struct {
     int count;
 } Sets;
 
-static void cast_sets(const Shown *shown, Order order, Sets *sets)
-{
-    int count = cast_pixel_sets(shown->shot.scene, shown->shot.camera, shown->grid, order,
-                                sets->sets, MOST_SETS);
-    sets->count = count < 0 ? 0 : count < MOST_SETS ? count : MOST_SETS;
-}
-
 static Color color_of(const Shown *shown, int sphere)
 {
     const Scene *scene = shown->shot.scene;
@@ -67,6 +60,17 @@ static void sets_data(Plot *plot, const Shown *shown, const Sets *sets)
     plot_block(plot, "pixel_sets", "column row sphere");
     for (int i = 0; i < sets->count; i++)
         plot_row(plot, sets->sets[i].pixel.column, sets->sets[i].pixel.row, sets->sets[i].sphere);
+}
+
+// The scene, and its pixels as an answer sets them.
+static void order_data(Plot *plot, const Shown *shown, Order order, Sets *sets)
+{
+    int count = cast_pixel_sets(shown->shot.scene, shown->shot.camera, shown->grid, order,
+                                sets->sets, MOST_SETS);
+    sets->count = count < 0 ? 0 : count < MOST_SETS ? count : MOST_SETS;
+    shown_data(plot, shown);
+    plot_include(plot, "common/figure/spheres.gp");
+    sets_data(plot, shown, sets);
 }
 
 // The ray of each pixel that is set, up to its hit; one that hits nothing, as far as any is drawn.
@@ -91,12 +95,8 @@ static void rays_data(Plot *plot, const Shown *shown, const Sets *sets)
 static void image_order_moments(Plot *plot, void *given)
 {
     static Sets sets;
-    const Shown *shown = given;
-    cast_sets(shown, IMAGE_ORDER, &sets);
-    shown_data(plot, shown);
-    plot_include(plot, "common/figure/spheres.gp");
-    sets_data(plot, shown, &sets);
-    rays_data(plot, shown, &sets);
+    order_data(plot, given, IMAGE_ORDER, &sets);
+    rays_data(plot, given, &sets);
 }
 
 // ---- spheres in the order in which they are taken ---------------------------------------------
@@ -161,10 +161,7 @@ static void object_order_moments(Plot *plot, void *given)
 {
     static Sets sets;
     const Shown *shown = given;
-    cast_sets(shown, OBJECT_ORDER, &sets);
-    shown_data(plot, shown);
-    plot_include(plot, "common/figure/spheres.gp");
-    sets_data(plot, shown, &sets);
+    order_data(plot, shown, OBJECT_ORDER, &sets);
     order_of_spheres(plot, shown, &sets);
     pixels_of_spheres(plot, shown, &sets);
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
