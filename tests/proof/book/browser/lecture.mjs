@@ -22,27 +22,29 @@ const shown = (tab) => tab.evaluate(() => {
     const page = document.querySelector(".slide.shown");
     return { address: location.hash, number: page.dataset.slide, words: [...page.querySelectorAll("p")].filter((each) => getComputedStyle(each).visibility === "visible").map((each) => each.innerText).join("\n") };
 });
+/** A test in a tab of its own, which shows this slide first. */
+const onSlide = (name, address, does) => test(name, async () => {
+    const tab = await open(address);
+    await does(tab);
+    await tab.close();
+});
 async function press(tab, ...keys) {
     for (const key of keys)
         await tab.keyboard.press(key);
     return shown(tab);
 }
 
-test("keys and a clicker go from step to step", async () => {
-    const tab = await open("#camera-frame");
+onSlide("keys and a clicker go from step to step", "#camera-frame", async (tab) => {
     assert.equal((await press(tab, "PageDown")).address, "#camera-frame/2");
     assert.equal((await press(tab, "ArrowRight", "Space")).address, "#double-dwh");
     assert.equal((await press(tab, "ArrowLeft", "PageUp")).address, "#camera-frame/2");
     assert.equal((await press(tab, "Home")).number, "1");
-    await tab.close();
 });
 
-test("a question is shown before its answer", async () => {
-    const tab = await open("#double-dwh");
+onSlide("a question is shown before its answer", "#double-dwh", async (tab) => {
     assert.match((await shown(tab)).words, /Would it matter/);
     assert.doesNotMatch((await shown(tab)).words, /No: every vector/);
     assert.match((await press(tab, "ArrowRight")).words, /No: every vector/);
-    await tab.close();
 });
 
 test("each part ends with a question to the class, whose answer is not among its first words", async () => {
@@ -75,39 +77,32 @@ test("a slide's code is for the address of the site, and large by a key", async 
     await tab.close();
 });
 
-test("a number and a name lead to their slide", async () => {
-    const tab = await open();
+onSlide("a number and a name lead to their slide", "", async (tab) => {
     await press(tab, "g");
     await tab.keyboard.type("9");
     assert.equal((await press(tab, "Enter")).number, "9");
     await press(tab, "g");
     await tab.keyboard.type("parabola");
     assert.equal((await press(tab, "Enter")).address, "#parabola");
-    await tab.close();
 });
 
-test("a black screen hides the slide, and the next key shows it again", async () => {
-    const tab = await open("#parabola");
+onSlide("a black screen hides the slide, and the next key shows it again", "#parabola", async (tab) => {
     const isBlack = () => tab.$eval("#black", (each) => !each.hidden);
     await press(tab, "b");
     assert.ok(await isBlack());
     assert.equal((await press(tab, "ArrowRight")).address, "#parabola");
     assert.ok(!await isBlack());
-    await tab.close();
 });
 
-test("no words leave their slide", async () => {
-    const tab = await open();
+onSlide("no words leave their slide", "", async (tab) => {
     const outside = await tab.evaluate(() => [...document.querySelectorAll(".slide")].filter((page) => {
         const footer = page.querySelector("footer").getBoundingClientRect();
         return [...page.querySelectorAll(".words p")].some((each) => each.getBoundingClientRect().bottom > footer.top + 3);
     }).map((page) => page.id));
     assert.deepEqual(outside, []);
-    await tab.close();
 });
 
-test("a figure is dragged, and stays so on the next step", async () => {
-    const tab = await open("#ray-sphere");
+onSlide("a figure is dragged, and stays so on the next step", "#ray-sphere", async (tab) => {
     const state = () => tab.evaluate(() => {
         const root = document.querySelector(".shown .drawing > div")?.shadowRoot, box = root?.querySelector(".handle")?.getBoundingClientRect();
         return box && document.querySelector(".shown .drawing").ariaBusy !== "true" && { value: root.querySelector("input[name=origin]").value, x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -120,11 +115,9 @@ test("a figure is dragged, and stays so on the next step", async () => {
     const after = await waitFor("another origin", async () => { const now = await state(); return now && now.value !== before.value && now; });
     await press(tab, "PageDown");
     await waitFor("the same figure", async () => (await state())?.value === after.value);
-    await tab.close();
 });
 
-test("a student's line is judged and drawn", async () => {
-    const tab = await open("#screen-to-unit");
+onSlide("a student's line is judged and drawn", "#screen-to-unit", async (tab) => {
     const judged = async (words, wanted) => {
         await tab.$eval("#line textarea", (each, text) => { each.value = text; }, words);
         await tab.click("#judge-line");
@@ -136,11 +129,9 @@ test("a student's line is judged and drawn", async () => {
     await waitFor("its figure", () => tab.$eval("#line output", (each) => each.querySelector("img")?.naturalWidth > 0));
     assert.match(await judged("return (Normalized){point.x / width, 0};", "Not judged"), /width/);
     await judged("double y = point.y / screen.height;\nreturn (Normalized){point.x / screen.width, 1 - y};", "✓ Right");
-    await tab.close();
 });
 
-test("the speaker's window follows, and leads", async () => {
-    const tab = await open("#camera-frame");
+onSlide("the speaker's window follows, and leads", "#camera-frame", async (tab) => {
     const [page] = await Promise.all([new Promise((done) => tab.once("popup", done)), tab.keyboard.press("s")]);
     await isReady(page);
     const notes = () => page.$eval("#speaker", (each) => each.innerText);
@@ -151,7 +142,6 @@ test("the speaker's window follows, and leads", async () => {
     await press(tab, "PageDown");
     await waitFor("the window follows", async () => (await shown(page)).address === "#camera-frame/3");
     await page.close();
-    await tab.close();
 });
 
 test("it works as a file", async () => {
@@ -163,15 +153,6 @@ test("it works as a file", async () => {
     await tab.close();
 });
 
-test("everybody can use it", async () => {
-    const tab = await open("#parabola");
+onSlide("everybody can use it", "#parabola", async (tab) => {
     assert.deepEqual(await seriousFindings(tab), []);
-    await tab.close();
-});
-
-test("figures.html has the lecture's figures in its order, each with an address", () => {
-    const wanted = [...new Set([...html.matchAll(/ data-figure="([^"]*)"/g)].map(([, name]) => name))];
-    const there = [...readFileSync(join(folder, "figures.html"), "utf8").matchAll(/<section id="([^"]*)"/g)].map(([, name]) => name);
-    assert.ok(wanted.length > 20);
-    assert.deepEqual(there.filter((name) => wanted.includes(name)), wanted);
 });
