@@ -130,12 +130,7 @@ finish() {
     [ "$failed" -eq 0 ]
 }
 
-# A test that marks a class: needs_grading NAME 'what is not tested without it'
-needs_grading() {
-    [ -n "${KIT:-}" ] ||
-        skip "$1" "$2: it needs libseccomp and ld ('make setup FOR=instructor' installs them), and no sanitizers"
-}
-# One that needs the programs named: needs NAME 'what is not tested without them' PROGRAM...
+# A test that needs the programs named: needs NAME 'what is not tested without them' PROGRAM...
 needs() {
     needing=$1
     untested=$2
