@@ -229,6 +229,6 @@ export function finishFigure(svg, words, script) {
         return line.replace(/^<svg/, '<svg role="img" aria-labelledby="title description" xml:space="preserve"')
             .replace(/(id=.gpPt.*?stroke-width=')[\d.]+/, (_, before) => `${before}0.6`);
     });
-    return lines.join("\n").replaceAll('font-family="DejaVu Sans"', 'font-family="DejaVu Sans, Verdana, sans-serif"')
+    return lines.join("\n").replace(/<g fill[^>]*>\n<\/g>\n/g, "").replaceAll('font-family="DejaVu Sans"', 'font-family="DejaVu Sans, Verdana, sans-serif"')
         .replaceAll('font-family="DejaVu Serif"', 'font-family="DejaVu Serif, Georgia, serif"') + "\n";
 }

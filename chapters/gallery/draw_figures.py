@@ -48,8 +48,8 @@ def tidy_words(text):
 
 def finished_svg(svg, words):
     """The SVG that gnuplot has drawn, as one that can be read aloud, and that shows the same everywhere: fonts get a
-    family to fall back on; and rings and crosses are hairlines in gnuplot 5.4, whatever their width. A page does the
-    same (chapters/book/figure.js). Groups of nothing go: their colors are those of the picture before."""
+    family to fall back on; and rings and crosses are hairlines in gnuplot 5.4, whatever their width. Groups of
+    nothing go: their colors are those of the picture before. A page does the same (chapters/book/figure.js)."""
     title, _, rest = words.partition("\n")
     title, description = (html.escape(text, quote=False) for text in (title, " ".join(rest.split("\n")).strip()))
     svg = svg.replace("<svg", '<svg role="img" aria-labelledby="title description" xml:space="preserve"', 1)
