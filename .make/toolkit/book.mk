@@ -336,14 +336,13 @@ $(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0
 	$(Q)mkdir -p $(@D)
 	$(Q)node $(WRITE_PACK) $@ $(filter-out %.mjs,$^)
 
-# The numbers in the lessons, for the example that a figure shows (instead/lesson_example.c).
+# The numbers in the lessons, for the example that a figure shows.
 LESSON_NUMBERS := $(BOOK)/programs/numbers.wasm
-EXAMPLE_WRAPS := $(foreach of,camera place point pixel ray sphere,-Wl,--wrap=example_$(of))
-$(LESSON_NUMBERS): $(WASM)/chapters/lessons/numbers.o $(WASM)/chapters/02-cameras/forms.o $(WASM)/$(INSTEAD)/lesson_example.o \
+$(LESSON_NUMBERS): $(NUMBERS_OBJECTS:$(B)/%=$(WASM)/%) \
 		$(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
+	$(Q)$(WASM_LINK) -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
 
 # The scenes that pages cast: the first is on the start page.
 BOOK_SCENES := $(if $(FROM),,$(patsubst %,$(BOOK)/scenes/%.nff.gz,finale three-spheres sphereflake-91 sphereflake-820 sunflower))

@@ -102,19 +102,30 @@ export async function loadFigures({ gnuplot: module, files: texts }) {
 
 // ---- the lesson's numbers -------------------------------------------------------------------------
 
+const lectures = new WeakMap(); // the lecture's numbers, by the program that gives them
+
+function namedNumbers(program, options) {
+    const args = ["numbers", ...Object.entries(options).map(([key, value]) => `--${key}=${value}`)];
+    const result = run(program, { args, files: {} });
+    if (result.status !== 0)
+        throw new Error(result.stderr.trim() || result.trap);
+    return JSON.parse(result.stdout);
+}
+
 /**
- * The numbers of the lessons for another example than the lecture's (instead/lesson_example.c).
+ * The numbers of the lessons for another example than the lecture's (chapters/lessons/print_numbers.c).
  * @param {WebAssembly.Module} program numbers.wasm
  * @param {string} figure its name
  * @param {Object<string, string>} options of that figure
  * @returns {Object<string, string>} by its name, each number that is not the lecture's
  */
 export function lessonNumbers(program, figure, options) {
-    const args = ["numbers", `--figure=${figure}`, ...Object.entries(options).map(([key, value]) => `--${key}=${value}`)];
-    const result = run(program, { args, files: {} });
-    if (result.status !== 0)
-        throw new Error(result.stderr.trim() || result.trap);
-    return JSON.parse(result.stdout);
+    if (figure === "pixel-grid") // has a small screen of its own: it is not the example
+        return {};
+    if (!lectures.has(program))
+        lectures.set(program, namedNumbers(program, {}));
+    const lecture = lectures.get(program);
+    return Object.fromEntries(Object.entries(namedNumbers(program, options)).filter(([name, text]) => text !== lecture[name]));
 }
 
 // ---- gnuplot --------------------------------------------------------------------------------------

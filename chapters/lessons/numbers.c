@@ -344,17 +344,17 @@ static void ray_and_sphere(Ray ray, Sphere sphere)
     with_1(ray, sphere, q);
 }
 
-const NamedNumber *named_numbers(int *count)
+const NamedNumber *named_numbers(const Example *example, int *count)
 {
-    Camera c = example_camera();
+    Camera c = example->camera;
     number_count = 0;
     camera(c);
     corners(c);
-    place(c, example_place());
+    place(c, example->place);
     handedness(c);
     other_forms(c);
-    screen_and_pixel(c, example_screen(), example_point(), example_pixel());
-    ray_and_sphere(example_ray(), example_sphere());
+    screen_and_pixel(c, example_screen(), example->point, example->pixel);
+    ray_and_sphere(example->ray, example->sphere);
     *count = number_count;
     return numbers;
 }

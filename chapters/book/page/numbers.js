@@ -1,5 +1,5 @@
 // numbers.js - the numbers in the text of a lesson follow a figure that is dragged or typed into. The chapter's own C
-// gives them (instead/lesson_example.c). A reset of the figure brings the lecture's numbers back.
+// gives them (chapters/lessons/print_numbers.c). A reset of the figure brings the lecture's numbers back.
 
 /** A number of a lesson, which is TeX in a formula, as text in a formula. */
 export const typesetNumber = (tex) => tex.replaceAll("\\approx", "≈").replaceAll("-", "−");
