@@ -42,7 +42,7 @@ typedef struct {
     int lines;         // 0: it names a place; else it begins a block of so many lines of text
     double across, up; // where that stands
     bool pinned;       // exactly there
-    double wide, high; // its text, once it was measured; for a block of them, of that
+    double wide, high; // of its text
     int number;        // of the label that was placed; NOWHERE
 } Wanted;
 
@@ -606,32 +606,28 @@ double plot_width(const Plot *plot, const char *text)
 
 #define LINE_HEIGHT (1.35 * TEXT_SIZE)
 
-static void measure(const char *text, double *width, double *height)
+static void measure(Wanted *wanted)
 {
-    *height = 1.1 * TEXT_SIZE - LINE_HEIGHT;
-    *width = 0;
-    for (const char *line = text;; line++) {
+    wanted->high = 1.1 * TEXT_SIZE;
+    for (const char *line = wanted->text;; line++, wanted->high += LINE_HEIGHT) {
         size_t length = strcspn(line, "\n");
-        *width = fmax(*width, line_width(line, length));
-        *height += LINE_HEIGHT;
+        wanted->wide = fmax(wanted->wide, line_width(line, length));
         line += length;
         if (*line == '\0')
             return;
     }
 }
 
-// NULL: there is no such row.
+// The right one, if there is one; NULL: there is no such row.
 static const Mark *mark_of(const PlotView *view, const Wanted *wanted)
 {
-    const Mark *marks = view->marks.items;
-    for (int i = 0; i < view->marks.count; i++)
-        if (!marks[i].yours && marks[i].row == wanted->label.row &&
-            strcmp(marks[i].block, wanted->block) == 0)
-            return &marks[i];
-    for (int i = 0; i < view->marks.count; i++)
-        if (marks[i].row == wanted->label.row && strcmp(marks[i].block, wanted->block) == 0)
-            return &marks[i];
-    return NULL;
+    const Mark *found = NULL, *marks = view->marks.items;
+    for (const Mark *it = marks; it < marks + view->marks.count && (found == NULL || found->yours);
+         it++)
+        if (it->row == wanted->label.row && strcmp(it->block, wanted->block) == 0 &&
+            (found == NULL || !it->yours))
+            found = it;
+    return found;
 }
 
 static Spot moved(Spot spot, const Mark *mark)
@@ -676,21 +672,10 @@ static bool is_somewhere(Spot spot)
     return fabs(spot.u) < far && fabs(spot.v) < far;
 }
 
-// Its text does not change while places for it are tried.
-static void measure_once(Wanted *wanted)
-{
-    if (wanted->high > 0)
-        return;
-    for (int i = 0; i < wanted->lines; i++)
-        wanted->wide = fmax(wanted->wide, line_width(wanted[i].text, strlen(wanted[i].text)));
-    wanted->high = LINE_HEIGHT * wanted->lines;
-    if (wanted->lines == 0)
-        measure(wanted->text, &wanted->wide, &wanted->high);
-}
-
 static void want(const PlotView *view, Labels *labels, Wanted *wanted)
 {
     PlacedLabel label = {.free = wanted->lines > 0 && !wanted->pinned, .pinned = wanted->pinned};
+    wanted->number = NOWHERE;
     if (wanted->lines > 0) {
         label.from =
             (Spot){wanted->across * canvas_width[view->shape], wanted->up * (HEIGHT - TITLE)};
@@ -699,16 +684,12 @@ static void want(const PlotView *view, Labels *labels, Wanted *wanted)
         enum { TINY = 8 };
         label.from = label.to = spot_of(view, wanted->panel, wanted->label.place);
         label.radius = wanted->label.ball * view->size[wanted->panel];
-        if (label.radius > 0 && label.radius < TINY) {
-            wanted->number = NOWHERE;
+        if (label.radius > 0 && label.radius < TINY)
             return;
-        }
     } else {
         const Mark *mark = mark_of(view, wanted);
-        if (mark == NULL) {
-            wanted->number = NOWHERE;
+        if (mark == NULL)
             return;
-        }
         double part = wanted->label.part;
         vec3 all = mark->to - mark->from;
         // Near its ends, other arrows may begin.
@@ -726,11 +707,12 @@ static void want(const PlotView *view, Labels *labels, Wanted *wanted)
         label.aside = length > 0 ? (Spot){u / length, v / length} : (Spot){0, 1};
         label.says_what = strchr(wanted->text, '=') != NULL;
     }
-    measure_once(wanted);
     label.width = wanted->wide;
-    label.height = wanted->high;
-    wanted->number =
-        is_somewhere(label.from) && is_somewhere(label.to) ? labels_add(labels, label) : NOWHERE;
+    label.height = wanted->lines > 0 ? LINE_HEIGHT * wanted->lines : wanted->high;
+    for (int i = 1; i < wanted->lines; i++)
+        label.width = fmax(label.width, wanted[i].wide);
+    if (is_somewhere(label.from) && is_somewhere(label.to))
+        wanted->number = labels_add(labels, label);
 }
 
 // Places labels: on the canvas, with the blocks of text; or without them, and as if the canvas had
@@ -971,6 +953,7 @@ bool plot_view_end(Plot *plot)
         char *text = with_words(view, wanted[i].text);
         free(wanted[i].text);
         wanted[i].text = text;
+        measure(&wanted[i]);
     }
     bool both = view->only == SHAPES;
     for (int shape = SHAPES - 1; shape >= 0; shape--) { // of both, handles are on the last
