@@ -22,7 +22,7 @@ const CALL = 0x10, NOP = 0x01, BR_IF = 0x0d;
 const TRAP = [3, 0, 0x00, 0x0b]; // its size, no locals, unreachable, end
 
 /** The numbers of a module, one after another (LEB128). */
-class Reader {
+export class Reader {
     constructor(bytes, at = 0) { this.bytes = bytes; this.at = at; }
     number() {
         let value = 0;
@@ -42,7 +42,7 @@ function number(value) {
     return [...bytes, value];
 }
 
-function sections(bytes) {
+export function sections(bytes) {
     const found = [];
     for (const reader = new Reader(bytes, 8); reader.at < bytes.length;) {
         const id = reader.bytes[reader.at++], size = reader.number();

@@ -8,6 +8,7 @@
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
+import { Reader, sections } from "./cut.js";
 
 const [library, out, ...leftOut] = process.argv.slice(2);
 const HEADER = 60; // the bytes before each member: its name first, its size at 48
@@ -28,25 +29,16 @@ function* membersOf(bytes) {
     }
 }
 
-/** The number at a place, in LEB128, and the place after it. */
-function number(bytes, at) {
-    for (let value = 0, shift = 0; ; shift += 7) {
-        value |= (bytes[at] & 127) << shift;
-        if (bytes[at++] < 128)
-            return [value, at];
-    }
-}
-
 function stripped(object) {
     const kept = [object.subarray(0, 8)];
-    for (let at = 8, end; at < object.length; at = end) {
-        const [size, body] = number(object, at + 1);
-        end = body + size;
-        const [length, from] = object[at] === 0 ? number(object, body) : [0, body], name = object.toString("latin1", from, from + length);
+    let before = 8;
+    for (const { id, from, to } of sections(object)) {
+        const reader = new Reader(object, from), length = id === 0 ? reader.number() : 0, end = reader.at + length, name = object.toString("latin1", reader.at, end);
         if (name.startsWith(".debug_"))
-            kept.push(Buffer.from([0, from + length - body]), object.subarray(body, from + length));
+            kept.push(Buffer.from([0, end - from]), object.subarray(from, end));
         else if (!name.startsWith("reloc..debug_"))
-            kept.push(object.subarray(at, end));
+            kept.push(object.subarray(before, to));
+        before = to;
     }
     return Buffer.concat(kept);
 }
