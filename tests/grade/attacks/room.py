@@ -3,6 +3,7 @@ so that the machine survives a failure of the test itself, and eyes for what it 
 """
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import hashlib
 import os
@@ -24,9 +25,9 @@ LIMITS = {resource.RLIMIT_AS: 3 * GIGABYTE, resource.RLIMIT_FSIZE: GIGABYTE // 2
 NAMESPACE = ["--pid", "--fork", "--kill-child", "--mount-proc"]
 
 
-def enter() -> bool:
-    """Starts this program again in a process namespace of its own. False where it is in one already, or
-    where there is none to be had; else it does not return."""
+def enter() -> None:
+    """Starts this program again in a process namespace of its own, unless it is in one already, or there is none to be
+    had."""
     for user in ([], ["--user", "--map-root-user"]):
         command = ["unshare", *user, *NAMESPACE]
         if os.environ.get("HOSTILE_ROOM") or shutil.which("unshare") is None:
@@ -34,7 +35,6 @@ def enter() -> bool:
         if subprocess.run([*command, "true"], capture_output=True).returncode == 0:
             os.environ["HOSTILE_ROOM"] = "entered"
             os.execvp(command[0], [*command, sys.executable, "-B", *sys.argv])
-    return os.getpid() == 1
 
 
 def adopt_orphans() -> None:
@@ -76,11 +76,9 @@ def descendants() -> dict:
 
 
 def reap() -> None:
-    try:
+    with contextlib.suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0] > 0:
             pass
-    except ChildProcessError:
-        pass
 
 
 def end_all() -> None:
@@ -91,10 +89,8 @@ def end_all() -> None:
         if calm == 3:  # none, and none that was just being born
             break
         for pid in left:
-            try:
+            with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
         time.sleep(0.05)
         reap()
 
