@@ -59,6 +59,12 @@ def brief(text: str, most: int = 160) -> str:
     return text[:most // 3] + " ... " + text[len(text) - most + most // 3 + 5:]
 
 
+def several(names: list, most: int) -> str:
+    """The first of them, and how many more there are."""
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
+
+
 def why(error: Exception) -> str:
     """The words of an error, for one of our sentences."""
     words = getattr(error, "strerror", None) or str(error) or type(error).__name__

@@ -18,7 +18,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Optional
 
-from grade.visible import brief
+from grade.visible import brief, several
 from .names import is_clutter
 
 LARGEST = 256 * 1024     # of one answer; the references have 5 KB
@@ -183,8 +183,7 @@ def no_file(search: Search, parts, what: str) -> None:
 # ---- which of them is meant -----------------------------------------------------------------------
 
 def listed(places: list) -> str:
-    more = f" and {len(places) - PLACES} more" if len(places) > PLACES else ""
-    return ", ".join(place_of(parts) for parts in places[:PLACES]) + more
+    return several([place_of(parts) for parts in places], PLACES)
 
 
 def places(files: list) -> list:

@@ -69,8 +69,12 @@ class Place:
     level: int
 
 
+def suffix_of(name: str) -> str:
+    return next((name[-len(suffix):] for suffix in SUFFIXES if name.lower().endswith(suffix)), "")
+
+
 def is_called_one(base: str) -> bool:
-    return base.lower().endswith(SUFFIXES) and not base.startswith("._")
+    return suffix_of(base) != "" and not base.startswith("._")
 
 
 def put_by(search, room: Room, parts, raw: bytes, level: int) -> bool:

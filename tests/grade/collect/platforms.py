@@ -22,6 +22,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Optional
 
+from grade.visible import several
 from .names import decoded
 from .streams import opened_file
 
@@ -204,8 +205,7 @@ def titled(owners: list, directory: bytes) -> list:
         group = known.get(folder, [])
         claims = tuple(Claim(id=one.get("sid", ""), mail=one.get("email", ""), name=one.get("name", "")) for one in group)
         them = [one["name"] for one in group if one.get("name")]
-        more = f" and {len(them) - NAMED} more" if len(them) > NAMED else ""
-        title = f"{', '.join(them[:NAMED])}{more} ({folder})" if them else folder
+        title = f"{several(them, NAMED)} ({folder})" if them else folder
         if title in taken:
             title = folder
         taken.add(title)

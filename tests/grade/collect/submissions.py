@@ -20,13 +20,12 @@ from grade.confine.machine import GraderFailed, believed, must_be_its_own
 from grade.visible import why
 from . import answers, archives, folders, names, streams
 from .answers import Collected
-from .platforms import Owner, Part, are_all_named, grouped, titled
+from .platforms import Part, are_all_named, grouped, titled
 from .streams import Enough
 
 # ---- submissions --------------------------------------------------------------------------------
 
 
-SUFFIXES = tuple(suffix.encode() for suffix in archives.SUFFIXES)
 # Nobody hands these in.
 HIDDEN = re.compile(r"\..*|__MACOSX", re.DOTALL)
 MOST_AROUND = 3     # folders around a class's
@@ -61,7 +60,7 @@ def kind_of(entry) -> tuple:
         if entry.is_dir(follow_symlinks=False):
             return "folder", ""
         if entry.is_file(follow_symlinks=False):
-            return ("archive", "") if entry.name.lower().endswith(SUFFIXES) else ("file", NO_ANSWER)
+            return ("archive", "") if archives.suffix_of(names.decoded(entry.name)) else ("file", NO_ANSWER)
         return "unreadable", "neither a file nor a folder, not opened"
     except OSError as error:
         return "unreadable", f"cannot be read: {why(error)}"
@@ -73,11 +72,6 @@ def is_nobody_s(raw: bytes, kind: str, stems: list) -> bool:
     if HIDDEN.fullmatch(name):
         return True
     return kind != "folder" and bool(names.is_clutter(name) or name in [f"{stem}.c" for stem in stems])
-
-
-def suffix_of(owner: Owner) -> int:
-    return next((len(suffix) for suffix in SUFFIXES if owner.raw.lower().endswith(suffix)), 0) \
-        if owner.parts[0].kind == "archive" else 0
 
 
 def entries_of(directory: bytes, stems: list) -> tuple:
@@ -114,7 +108,8 @@ def find(directory, stems: Iterable[str] = (), are_people: Callable[[list], bool
     directory, entries, others = inside_of(os.fsencode(directory), list(stems), are_people)
     owners = list(titled(grouped(entries), directory))
     shown = names.shown([owner.title.encode("utf-8", "surrogateescape") for owner in owners])
-    stored = names.folders([(owner.raw, suffix_of(owner)) for owner in owners])
+    stored = names.folders([(owner.raw, len(archives.suffix_of(names.decoded(owner.raw))) if owner.parts[0].kind == "archive" else 0)
+                            for owner in owners])
     return ([Submission(name, folder, owner.parts, owner.claims) for owner, name, folder in zip(owners, shown, stored)],
             names.shown(others))
 

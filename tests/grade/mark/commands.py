@@ -115,11 +115,9 @@ class Kit:
         words = [*self.linker, "-o", "all.exe", self.of_link("all.o"), *objects, *blanks, *self.libraries]
         return Command("all", words, BUILT, complaints="/dev/null")
 
-    def judge(self, stem: str, whose: str = "") -> Command:
-        return Command(stem, [self.judge_program, stem, f"{whose}{stem}.exe", f"{whose}{stem}.d"], JUDGED)
-
-    def judge_with_figures(self, stem: str, folder: str) -> Command:
-        return Command(stem, [self.judge_program, stem, f"{stem}.exe", f"{stem}.d", folder], JUDGED)
+    def judge(self, stem: str, whose: str = "", figures: tuple[str, ...] = ()) -> Command:
+        """figures: the folder that they are drawn into, if they are."""
+        return Command(stem, [self.judge_program, stem, f"{whose}{stem}.exe", f"{whose}{stem}.d", *figures], JUDGED)
 
     def judge_lent(self, stem: str, name: str, others: list[str]) -> Command:
         """NAME.asked will have the names of those that it asked for."""

@@ -36,7 +36,7 @@ def script_of(grader: Grader, stem: str, function: str, text: str) -> Path | Non
     ready, _ = build(bench, {stem: Answer("found", text=text.encode())})
     if not ready:
         return None
-    bench.judge([grader.kit.judge_with_figures(stem, FIGURES)], grader.kit.layouts)
+    bench.judge([grader.kit.judge(stem, figures=(FIGURES,))], grader.kit.layouts)
     made = [bench.folder / FIGURES / f"{function}{end}" for end in (".gp", ".png")]
     return next((path for path in made if path.exists()), None)
 

@@ -31,10 +31,10 @@ from grade.people.roster import Roster
 from grade.people.sheets import Sheet, SheetError
 from grade.policy import rounded
 from grade.report.files import put, read_record
-from grade.report.formats import table
+from grade.report.formats import mark, table
 from grade.report.points import NOTHING, reason
 from grade.settings import as_last_time, stop
-from grade.visible import brief, number, visible, why
+from grade.visible import brief, number, several, visible, why
 
 PLATFORMS = ("moodle", "canvas", "gradescope", "blackboard", "folder")
 PAGE = "feedback.html"
@@ -62,8 +62,7 @@ class Returned:
 
 
 def listed(names: list) -> str:
-    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
-    return f"{len(names)}, {', '.join(map(brief, names[:NAMED]))}{more}"
+    return f"{len(names)}, {several(list(map(brief, names)), NAMED)}"
 
 
 def results(class_list, out: Path, ledger: Ledger) -> list:
@@ -134,8 +133,8 @@ def pages_for(platform: str, everybody: list, folder: Path) -> str:
         name = f"{returned.submission.folder}.html"
         put(str(folder), name, returned.page)
         person = returned.record["person"]
-        mark = "" if returned.record["score"] is None else number(returned.record["score"])
-        rows.append([name, returned.record["submission"], person.get("mail", ""), mark, number(returned.record["max"])])
+        rows.append([name, returned.record["submission"], person.get("mail", ""), mark(returned.record["score"]),
+                     mark(returned.record["max"])])
     put(str(folder), "mail.csv", table(rows))
     return f"{len(pages)} pages, mail.csv"
 
@@ -208,8 +207,8 @@ def fill(grades: Path, platform: str, everybody: list, wanted: str, scale: bool)
         if fixed is not None and sheet.cell(row, fixed).casefold() == "no":
             unchanged.append(name)
             continue
-        mark, most = returned.record["score"], Fraction(str(returned.record["max"]))
-        sheet.fill(row, column, "" if mark is None else number(rounded(Fraction(str(mark)) * times[most])))
+        score, most = returned.record["score"], Fraction(str(returned.record["max"]))
+        sheet.fill(row, column, mark(None if score is None else rounded(Fraction(str(score)) * times[most])))
         if comments is not None:
             text = returned.comment()
             sheet.fill(row, comments, html.escape(text, quote=False) if platform == "moodle" else text)

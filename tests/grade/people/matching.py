@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grade.collect import names, submissions
-from grade.collect.archives import SUFFIXES
+from grade.collect.archives import suffix_of
 from grade.collect.platforms import Claim
 from grade.collect.submissions import Submission
 from grade.visible import brief, spelled
@@ -40,7 +40,7 @@ def joined(name: str) -> set:
 
 
 def without_suffix(text: str) -> str:
-    return next((text[:-len(suffix)] for suffix in SUFFIXES if text.lower().endswith(suffix)), text)
+    return text.removesuffix(suffix_of(text))
 
 
 class Finder:
