@@ -122,13 +122,6 @@ typedef struct {
     double begin, end;
 } Meeting;
 
-// For most spheres no root is needed to know that the ray misses them.
-static inline bool passes(Vector p, double r, Vector v)
-{
-    const double rr = r * r, along = dot(p, v), pp = dot(p, p);
-    return rr - pp + along * along + MARGIN * (pp + rr) < 0;
-}
-
 // A sphere of radius r around p, seen from where the ray starts; v has length 1.
 static inline Meeting meet(Vector p, double r, Vector v)
 {
@@ -148,12 +141,54 @@ static inline Meeting meet(Vector p, double r, Vector v)
     return (Meeting){misses ? INFINITY : begin, end}; // end: a miss neither enters nor leaves
 }
 
-// Whether a sphere hides the end of a ray: its place, or NO_PLACE, or UNKNOWN.
-enum { UNKNOWN = -3 };
-static inline int hides(Meeting meeting, int place, double reach)
+// What is known without a root, which is most: whether a ray misses a sphere as far as it reaches,
+// or certainly hits it. From outside it misses a sphere that it passes, or from which it goes away,
+// or before which it ends. From inside it misses the sphere if it ends inside.
+#define MISSES 1.0
+#define HITS (-1.0)
+#define NOT_KNOWN 0.0
+static inline double glance(Vector p, double r, Vector v, double reach)
 {
-    const bool late = (meeting.begin > reach * (1 + MARGIN)) | (meeting.begin == INFINITY);
-    return late ? NO_PLACE : meeting.end < reach * (1 - MARGIN) ? place : UNKNOWN;
+    const double rr = r * r, along = dot(p, v), pp = dot(p, p), outside = pp - rr;
+    const double margin = MARGIN * (pp + rr), past = along * along - outside;
+    if (past < -margin)
+        return MISSES;
+    const double ends = outside + reach * (reach - 2 * along);
+    const double more = margin + MARGIN * reach * reach;
+    const bool away = (along < 0) | ((along > reach) & (ends > more));
+    const bool within = (outside < -margin) & (ends < -more);
+    const bool misses = ((outside > margin) & away) | within;
+    const bool hits = (past > margin) & (outside > margin) & (along > 0) &
+                      (along * (1 + 4 * MARGIN) + MARGIN * r < reach);
+    return misses ? MISSES : hits ? HITS : NOT_KNOWN;
+}
+
+enum { UNKNOWN = -3 }; // neither a place nor NO_PLACE
+
+// Bounds of the nearest certain hit, and the least begin of all others.
+typedef struct {
+    double begin, end, rival;
+    int place;
+} Found;
+
+// The end of a ray, where a light is, is like a hit there: only what is nearer matters.
+static inline Found nothing_found(double reach)
+{
+    return (Found){reach * (1 - MARGIN), reach * (1 + MARGIN), INFINITY, NO_PLACE};
+}
+
+// Returns whether this is the nearest so far.
+static inline bool learn(Found *found, int place, Meeting meeting)
+{
+    const bool wins = meeting.end < found->end;
+    const double other = wins ? found->begin : meeting.begin;
+    if (wins) {
+        found->begin = meeting.begin;
+        found->end = meeting.end;
+        found->place = place;
+    }
+    found->rival = other < found->rival ? other : found->rival;
+    return wins;
 }
 
 // Rays with directions of length 1, where they end, and what they ask first.
@@ -161,22 +196,16 @@ typedef struct {
     const Vectors *origin;
     Vectors direction;
     alignas(64) double reach[PATHS];
+    bool any_found; // otherwise all begin with nothing_found
+    Found found[PATHS];
     int missed[PATHS]; // the sphere that a ray leaves, if it certainly misses that, or -BOXES
 } Starts;
-
-// Of ray i and the sphere at this place in the order of the hierarchy.
-static inline Meeting meet_place(const WideHierarchy *wide, int place, const Starts *starts, int i)
-{
-    const double *sphere = wide->numbers + 4 * (size_t)place;
-    return meet(minus(vector_at(sphere), get(starts->origin, i)), sphere[3],
-                get(&starts->direction, i));
-}
 
 // Usually a ray certainly misses the sphere that it leaves; or this hides the light from its own
 // back. Otherwise, the answer is still UNKNOWN.
 static void ask_own(const Rays *rays, Starts *starts, int *answers)
 {
-    double begin[PATHS], end[PATHS];
+    double own[PATHS];
     starts->origin = rays->origin;
 #pragma omp simd
     for (int i = 0; i < rays->count; i++) {
@@ -184,18 +213,59 @@ static void ask_own(const Rays *rays, Starts *starts, int *answers)
                      p = minus(get(rays->center, i), get(rays->origin, i));
         const double length = sqrt(dot(v, v));
         const Vector u = times(1 / length, v);
-        const Meeting own = meet(p, rays->radius[i], u);
+        const double reach = rays->grid == NULL ? INFINITY : length;
         put(&starts->direction, i, u);
-        starts->reach[i] = rays->grid == NULL ? INFINITY : length;
-        begin[i] = own.begin;
-        end[i] = own.end;
+        starts->reach[i] = reach;
+        own[i] = glance(p, rays->radius[i], u, reach);
     }
     for (int i = 0; i < rays->count; i++) {
         const int left = rays->left[i];
-        const int own = hides((Meeting){begin[i], end[i]}, left, starts->reach[i]);
-        starts->missed[i] = left >= 0 && own == NO_PLACE ? left : -BOXES;
-        answers[i] = rays->any && left >= 0 && own != NO_PLACE ? own : UNKNOWN;
+        starts->missed[i] = left >= 0 && own[i] == MISSES ? left : -BOXES;
+        answers[i] = rays->any && left >= 0 && own[i] == HITS ? left : UNKNOWN;
     }
+}
+
+// ---- the giants -------------------------------------------------------------------------------
+
+// Whether any ray may hit a sphere: most rays to a light go away from the ground, or stay inside
+// the sky.
+static bool may_hit(const double *sphere, const Starts *starts, int count)
+{
+    int any = 0;
+#pragma omp simd reduction(| : any)
+    for (int i = 0; i < count; i++) {
+        const Vector p = minus(vector_at(sphere), get(starts->origin, i));
+        any |= glance(p, sphere[3], get(&starts->direction, i), starts->reach[i]) != MISSES;
+    }
+    return any != 0;
+}
+
+// All rays ask the giants.
+static void ask_giants(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
+{
+    starts->any_found = false;
+    for (int place = wide->giants; place < wide->end; place++) {
+        const double *sphere = wide->numbers + 4 * (size_t)place;
+        double begin[PATHS], end[PATHS];
+        if (!may_hit(sphere, starts, rays->count))
+            continue;
+        for (int i = 0; i < rays->count && !starts->any_found; i++)
+            starts->found[i] = nothing_found(starts->reach[i]);
+        starts->any_found = true;
+#pragma omp simd
+        for (int i = 0; i < rays->count; i++) {
+            const Vector p = minus(vector_at(sphere), get(starts->origin, i));
+            const Meeting meeting = meet(p, sphere[3], get(&starts->direction, i));
+            begin[i] = meeting.begin;
+            end[i] = meeting.end;
+        }
+        for (int i = 0; i < rays->count; i++)
+            if (place != starts->missed[i])
+                learn(&starts->found[i], place, (Meeting){begin[i], end[i]});
+    }
+    for (int i = 0; i < rays->count && rays->any && starts->any_found; i++)
+        if (answers[i] == UNKNOWN && starts->found[i].end < starts->reach[i] * (1 - MARGIN))
+            answers[i] = starts->found[i].place;
 }
 
 // ---- the cells of a light ---------------------------------------------------------------------
@@ -223,29 +293,15 @@ static inline int ask_place(const WideHierarchy *wide, int place, const Starts *
     const double *sphere = wide->numbers + 4 * (size_t)place;
     const Vector p = minus(vector_at(sphere), get(starts->origin, i));
     const Vector v = get(&starts->direction, i);
-    if (place == starts->missed[i] || passes(p, sphere[3], v))
+    if (place == starts->missed[i])
         return NO_PLACE;
-    return hides(meet(p, sphere[3], v), place, starts->reach[i]);
+    const double verdict = glance(p, sphere[3], v, starts->reach[i]);
+    return verdict == MISSES ? NO_PLACE : verdict == HITS ? place : UNKNOWN;
 }
 
-// All rays ask one sphere.
-static void ask_giant(const WideHierarchy *wide, int place, const Starts *starts, int count,
-                      int *answers)
-{
-    double begin[PATHS], end[PATHS];
-#pragma omp simd
-    for (int i = 0; i < count; i++) {
-        const Meeting meeting = meet_place(wide, place, starts, i);
-        begin[i] = meeting.begin;
-        end[i] = meeting.end;
-    }
-    for (int i = 0; i < count; i++)
-        if (answers[i] == NO_PLACE && place != starts->missed[i])
-            answers[i] = hides((Meeting){begin[i], end[i]}, place, starts->reach[i]);
-}
-
-// The rays ask the giants, and the spheres of their cells as far as they are nearer to the light
-// than the start. First all memory that will be needed is asked for, so that no ray waits for it.
+// The rays about which no giant is in doubt ask the spheres of their cells, as far as they are
+// nearer to the light than the start. First all memory that will be needed is asked for, so that no
+// ray waits for it.
 static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
 {
     const LightGrid *grid = rays->grid;
@@ -258,12 +314,11 @@ static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *start
         shown[i] = &items[cells[i] < 0 ? 0 : bins->begin[cells[i]]];
         end[i] = &items[cells[i] < 0 ? 0 : bins->next[cells[i]]];
         __builtin_prefetch(shown[i]);
-        answers[i] = answers[i] == UNKNOWN ? NO_PLACE : answers[i];
+        const bool doubt = starts->any_found && starts->found[i].rival <= starts->found[i].end;
+        answers[i] = answers[i] == UNKNOWN && !doubt ? NO_PLACE : answers[i];
     }
     for (int i = 0; i < rays->count; i++)
         __builtin_prefetch(&wide->numbers[4 * (size_t)sphere_of(*shown[i])]);
-    for (int k = 0; k < grid->giant_count; k++)
-        ask_giant(wide, grid->giants[k], starts, rays->count, answers);
     for (int i = 0; i < rays->count; i++) {
         const float reach = (float)(starts->reach[i] * (1 + 1e-6));
         const Item *at = shown[i];
@@ -287,10 +342,10 @@ typedef struct {
     Slopes slopes;
     int number; // of the ray
     float farthest;
-    bool lost;                // there was no room for all boxes, or the ray has no direction
-    int place, missed;        // missed: a sphere that it certainly does not hit
-    double begin, end, rival; // bounds of the nearest certain hit, and of all others
-    double enough;            // a hit that certainly ends before this suffices
+    bool lost;     // there was no room for all boxes, or the ray has no direction
+    int missed;    // a sphere that it certainly does not hit
+    double enough; // a hit that certainly ends before this suffices
+    Found found;
 } Walker;
 
 #ifdef __wasm_simd128__
@@ -373,25 +428,33 @@ static inline float take_nearest(Walker *walker, int *next)
     return nearest;
 }
 
-static inline void learn(Walker *walker, const WideHierarchy *wide, int place, Meeting meeting)
+static inline void set_farthest(Walker *walker, const WideHierarchy *wide)
 {
-    double other = meeting.begin;
-    if (meeting.end < walker->end) {
-        other = walker->begin;
-        walker->begin = meeting.begin;
-        walker->end = meeting.end;
-        walker->place = place;
-        walker->farthest = (float)(meeting.end * wide->scale) * (1 + 0x1p-18F); // rounded up
-    }
-    walker->rival = other < walker->rival ? other : walker->rival;
-    if (walker->end < walker->enough) { // nothing else matters
+    walker->farthest = (float)(walker->found.end * wide->scale) * (1 + 0x1p-18F); // rounded up
+}
+
+static inline void meet_place(Walker *walker, const WideHierarchy *wide, int place,
+                              const Starts *starts)
+{
+    const double *sphere = wide->numbers + 4 * (size_t)place;
+    const Vector p = minus(vector_at(sphere), get(starts->origin, walker->number));
+    const Vector v = get(&starts->direction, walker->number);
+    if (learn(&walker->found, place, meet(p, sphere[3], v)))
+        set_farthest(walker, wide);
+    if (walker->found.end < walker->enough) { // nothing else matters
         walker->farthest = -1;
-        walker->rival = INFINITY;
+        walker->found.rival = INFINITY;
     }
 }
 
-// Starts the next ray without an answer. False if there is none. The end of the ray, where a light
-// is, is like a hit there: only what is nearer matters.
+static int answer_of(const Walker *walker)
+{
+    const Found *found = &walker->found;
+    const bool doubt = found->rival <= found->end && found->rival < INFINITY;
+    return walker->lost || doubt ? IN_DOUBT : found->place;
+}
+
+// Starts the next ray without an answer. False if there is none.
 static inline bool start_next(Walker *walker, const WideHierarchy *wide, const Rays *rays,
                               const Starts *starts, const int *answers, int *started)
 {
@@ -400,17 +463,13 @@ static inline bool start_next(Walker *walker, const WideHierarchy *wide, const R
     if (*started == rays->count)
         return false;
     const int i = walker->number = (*started)++;
-    const double reach = starts->reach[i];
     for (int k = 0; k < MOST_WAITING + BOXES; k++)
         walker->near[k] = INFINITY;
     walker->count = 0;
     walker->lost = isnan(starts->direction.x[i]);
-    walker->place = NO_PLACE;
-    walker->begin = reach * (1 - MARGIN);
-    walker->end = reach * (1 + MARGIN);
-    walker->rival = INFINITY;
-    walker->farthest = (float)(walker->end * wide->scale) * (1 + 0x1p-18F);
-    walker->enough = rays->any ? walker->begin : 0;
+    walker->found = starts->any_found ? starts->found[i] : nothing_found(starts->reach[i]);
+    set_farthest(walker, wide);
+    walker->enough = rays->any ? starts->reach[i] * (1 - MARGIN) : 0;
     walker->missed = starts->missed[i];
     set_slopes(&walker->slopes, wide, get(rays->origin, i), get(&starts->direction, i));
     return true;
@@ -452,10 +511,8 @@ static inline void leave_leaves(const WideHierarchy *wide, const Starts *starts,
         int number = __builtin_ctzll(asking);
         Walker *walker = &walkers[number];
         const int first = wide->leaves[~next[number]].first;
-        for (unsigned found = spheres[number]; found != 0; found &= found - 1) {
-            int place = first + __builtin_ctz(found);
-            learn(walker, wide, place, meet_place(wide, place, starts, walker->number));
-        }
+        for (unsigned found = spheres[number]; found != 0; found &= found - 1)
+            meet_place(walker, wide, first + __builtin_ctz(found), starts);
     }
 }
 
@@ -471,11 +528,13 @@ void LANES(nearest_of_many)(const WideHierarchy *wide, const Rays *rays, int *pl
     Bits going = 0, leaves = 0;
     for (int i = 0; i < rays->count; i++)
         places[i] = NO_PLACE;
-    if (wide->nodes == NULL)
-        return;
     ask_own(rays, &starts, places);
+    ask_giants(wide, rays, &starts, places);
     if (rays->grid != NULL && rays->grid->bins.items != NULL)
         ask_cells(wide, rays, &starts, places);
+    while (wide->nodes == NULL &&
+           start_next(&walkers[0], wide, rays, &starts, places, &started)) // there are only giants
+        places[walkers[0].number] = answer_of(&walkers[0]);
     for (int i = 0; i < WALKERS; i++)
         if (start_next(&walkers[i], wide, rays, &starts, places, &started))
             going |= (Bits)1 << i;
@@ -492,9 +551,7 @@ void LANES(nearest_of_many)(const WideHierarchy *wide, const Rays *rays, int *pl
         }
         for (; ended != 0; ended &= ended - 1) {
             int i = __builtin_ctzll(ended);
-            const Walker *walker = &walkers[i];
-            bool doubt = walker->lost || (walker->rival <= walker->end && walker->rival < INFINITY);
-            places[walker->number] = doubt ? IN_DOUBT : walker->place;
+            places[walkers[i].number] = answer_of(&walkers[i]);
             next[i] = 0;
             if (!start_next(&walkers[i], wide, rays, &starts, places, &started))
                 going &= ~((Bits)1 << i);

@@ -350,8 +350,6 @@ static void find_places(Bins *bins, const Sphere *spheres, int count, Places *pl
     }
     if (!LANES_BEST(bins)->place(&bins->eye, &positions, count, places))
         atomic_store(&bins->unusual, true);
-    for (int i = 0; i < count; i++)
-        places->right[i] = spheres[i].radius > bins->largest ? 0 : places->right[i];
 }
 
 static void visit_share(void *given, int part)
@@ -366,11 +364,10 @@ static void visit_share(void *given, int part)
         for (int i = 0; i < count; i++) {
             const Part place = {places->left[i], places->right[i], places->top[i],
                                 places->bottom[i]};
-            if (place.left >= place.right || place.top >= place.bottom)
+            const int number = bins->numbers == NULL ? first + i : bins->numbers[first + i];
+            if (place.left >= place.right || place.top >= place.bottom || number >= bins->end)
                 continue;
-            visit_tiles(bins, &bins->shares[part],
-                        bins->numbers == NULL ? first + i : bins->numbers[first + i], place,
-                        places->depth[i]);
+            visit_tiles(bins, &bins->shares[part], number, place, places->depth[i]);
         }
     }
 }
@@ -495,7 +492,7 @@ static Outcome cast(const Work *work, int *seen)
     Casting casting = {.tiling = {work, LANES_BEST(bins), colors, seen},
                        .bins = {.scene = scene,
                                 .from = work->camera.origin,
-                                .largest = INFINITY,
+                                .end = scene->sphere_count,
                                 .eye = eye_of(work),
                                 .columns = (screen.width + SIDE - 1) / SIDE,
                                 .rows = (screen.height + SIDE - 1) / SIDE}};

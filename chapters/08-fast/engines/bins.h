@@ -174,10 +174,11 @@ typedef struct {
 enum { MOST_SHARES = 256 };
 typedef struct {
     const Scene *scene;
-    vec3 from;      // where the eye is
-    double largest; // larger spheres are in no bin
-    // NULL, or numbers of the spheres that items have instead of those in the scene.
+    vec3 from; // where the eye is
+    // NULL, or numbers of the spheres that items have instead of those in the scene. Spheres whose
+    // numbers are not less than end are in no bin.
     const int *numbers;
+    int end;
     Eye eye;
     int columns, rows; // of tiles
     BinsShare shares[MOST_SHARES];

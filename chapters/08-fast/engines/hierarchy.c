@@ -126,6 +126,27 @@ static int partition(Four *items, int *order, int count, Split split)
     return front;
 }
 
+// The giants are not before the plane: of the fourth numbers, the radii. Without one giant, others
+// stand out.
+static Split split_giants(const Four *items, int count)
+{
+    Split split = {.axis = 3, .plane = INFINITY};
+    for (;;) {
+        Bounds centers = nothing;
+        int giants = 0;
+        for (int i = 0; i < count; i++)
+            if (items[i][3] < split.plane)
+                include(&centers, items[i], items[i]);
+        Four size = (centers.high - centers.low) / 2;
+        float extent = sqrtf(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
+        for (int i = 0; i < count; i++)
+            giants += items[i][3] >= extent;
+        if (!(extent < split.plane) || giants > MOST_GIANTS)
+            return split;
+        split.plane = extent;
+    }
+}
+
 // ---- the nodes --------------------------------------------------------------------------------
 
 typedef struct {
@@ -134,23 +155,17 @@ typedef struct {
     int leaf;    // spheres in a leaf
 } Builder;
 
-double extent_of(const Scene *scene, double largest, vec3 *middle)
-{
-    vec3 low = vec3_of(INFINITY, INFINITY, INFINITY), high = -low;
-    for (int i = 0; i < scene->sphere_count; i++)
-        for (int axis = 0; axis < 3 && scene->spheres[i].radius <= largest; axis++) {
-            low[axis] = fmin(low[axis], scene->spheres[i].center[axis]);
-            high[axis] = fmax(high[axis], scene->spheres[i].center[axis]);
-        }
-    *middle = (low + high) / 2;
-    return vec3_length(high - low) / 2;
-}
-
 // Lengths are parts of the scene's size.
 static void set_items(const Builder *builder, const Scene *scene)
 {
-    vec3 middle;
-    const double size = extent_of(scene, INFINITY, &middle), scale = size > 0 ? 1 / size : 1;
+    vec3 low = vec3_of(INFINITY, INFINITY, INFINITY), high = -low;
+    for (int i = 0; i < scene->sphere_count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = fmin(low[axis], scene->spheres[i].center[axis]);
+            high[axis] = fmax(high[axis], scene->spheres[i].center[axis]);
+        }
+    const vec3 middle = (low + high) / 2;
+    const double size = vec3_length(high - low) / 2, scale = size > 0 ? 1 / size : 1;
     for (int i = 0; i < scene->sphere_count; i++) {
         vec3 item = (scene->spheres[i].center - middle) * scale;
         item[3] = fmin(scene->spheres[i].radius * scale, 1e15); // its square is a float
@@ -180,6 +195,23 @@ static void add_node(const Builder *builder, int first, int count, int depth)
     add_node(builder, first, half, depth + 1);
     node->other = hierarchy->node_count;
     add_node(builder, first + half, count - half, depth + 1);
+}
+
+static void add_all_nodes(const Builder *builder, int count)
+{
+    Hierarchy *hierarchy = builder->hierarchy;
+    const Split split = split_giants(builder->items, count);
+    const int giants = partition(builder->items, hierarchy->order, count, split);
+    hierarchy->giant_count = count - giants;
+    if (giants == 0 || giants == count) {
+        add_node(builder, 0, count, 0);
+        return;
+    }
+    hierarchy->nodes[0] = (Node){.count = count};
+    hierarchy->node_count = 1;
+    add_node(builder, 0, giants, 1);
+    hierarchy->nodes[0].other = hierarchy->node_count;
+    add_node(builder, giants, count - giants, 1);
 }
 
 // The numbers of the spheres in the order of the hierarchy.
@@ -232,7 +264,7 @@ bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf)
                  hierarchy->numbers != NULL;
     if (built) {
         set_items(&builder, scene);
-        add_node(&builder, 0, scene->sphere_count, 0);
+        add_all_nodes(&builder, scene->sphere_count);
         line_up(hierarchy, scene);
         set_boxes(hierarchy);
     } else {
@@ -367,28 +399,30 @@ static int widen(Widening *widening, int number)
 
 bool wide_build(WideHierarchy *wide, const Hierarchy *hierarchy)
 {
-    const Node *root = &hierarchy->nodes[0];
-    *wide = (WideHierarchy){.numbers = hierarchy->numbers};
-    if (root->count == 0)
-        return true;
+    const int count = hierarchy->nodes[0].count, giants = count - hierarchy->giant_count;
+    const int top = giants < count ? 1 : 0; // the node of those that are no giants
+    const Node *root = &hierarchy->nodes[top];
+    *wide = (WideHierarchy){.numbers = hierarchy->numbers, .giants = giants, .end = count};
+    wide->places = lanes_memory((size_t)(count + 1) * sizeof *wide->places);
+    for (int i = 0; i < count && wide->places != NULL; i++)
+        wide->places[hierarchy->order[i]] = i;
+    if (giants == 0)
+        return wide->places != NULL;
     double size = 0;
     for (int axis = 0; axis < 3; axis++) {
         size = fmax(size, root->box.high[axis] - root->box.low[axis]);
         wide->corner[axis] = root->box.low[axis];
     }
     wide->scale = 1 / size;
-    Widening count = {.from = hierarchy->nodes, .to = wide}, fill = count;
-    widen(&count, 0);
-    wide->nodes = lanes_memory((size_t)count.nodes * sizeof *wide->nodes);
-    wide->leaves = lanes_memory((size_t)count.leaves * sizeof *wide->leaves);
-    wide->places = lanes_memory((size_t)root->count * sizeof *wide->places);
+    Widening counted = {.from = hierarchy->nodes, .to = wide}, fill = counted;
+    widen(&counted, top);
+    wide->nodes = lanes_memory((size_t)counted.nodes * sizeof *wide->nodes);
+    wide->leaves = lanes_memory((size_t)counted.leaves * sizeof *wide->leaves);
     if (wide->nodes == NULL || wide->leaves == NULL || wide->places == NULL) {
         wide_free(wide);
         return false;
     }
-    widen(&fill, 0);
-    for (int i = 0; i < root->count; i++)
-        wide->places[hierarchy->order[i]] = i;
+    widen(&fill, top);
     return true;
 }
 

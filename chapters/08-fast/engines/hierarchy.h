@@ -28,19 +28,20 @@ typedef struct {
     int axis;
 } Node;
 
+// A few giants, such as a ground or a sky, would make every box around them as large as the scene.
+// So they are the root's second child, the last in the order. A giant's radius is at least half the
+// diagonal of the box around the centers of the others.
+enum { MOST_GIANTS = 4 };
 typedef struct {
     Node *nodes; // the root is the first
     int node_count;
     int *order;      // indices of the scene's spheres
     double *numbers; // x, y, z and r of each, in this order
+    int giant_count;
 } Hierarchy;
 
 // The largest depth of the hierarchy; and the size of a leaf whose spheres are asked one by one.
 enum { HIERARCHY_DEEPEST = 128, SMALL_LEAF = 4 };
-
-// Half the diagonal of the box around the centers of all spheres that are not larger, and its
-// middle.
-double extent_of(const Scene *scene, double largest, vec3 *middle);
 
 // More than leaf spheres are split. False if there is not enough memory. Boxes are a little larger
 // than their spheres, so that they contain every hit, in spite of rounding.
@@ -61,7 +62,7 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray);
 
 // The same hierarchy with 16 boxes in a node and up to 16 spheres in a leaf, so that all 16 are
 // asked at once (after Wald, Benthin and Boulos, 'Getting Rid of Packets', 2008). In a page, where
-// a vector has 4 floats, 8 are quicker.
+// a vector has 4 floats, 8 are quicker. The giants are in no node.
 #ifdef __wasm__
 enum { BOXES = 8 };
 #else
@@ -92,10 +93,11 @@ typedef struct {
 } WideLeaf;
 
 typedef struct {
-    WideNode *nodes; // the root is the first; NULL if there are no spheres
+    WideNode *nodes; // the root is the first; NULL if there are only giants, or no spheres
     WideLeaf *leaves;
     const double *numbers; // those of the hierarchy
     int *places;           // of the scene's spheres in its order
+    int giants, end;       // the places of the giants: from the first one to before the end
     double corner[3], scale;
 } WideHierarchy;
 

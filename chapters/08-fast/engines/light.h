@@ -79,12 +79,10 @@ static inline void put(Vectors *to, int i, Vector v)
 
 // ---- rays from anywhere -----------------------------------------------------------------------
 
-// The scene as a light sees it (light_grid.c). It has no cells if the light is distant, among the
-// spheres, or extremely far away.
-enum { MOST_GIANTS = 4 };
+// The scene as a light sees it, without the giants (light_grid.c). It has no cells if the light is
+// distant, surrounded by spheres, or extremely far away.
 typedef struct {
     Bins bins; // the cells; an item has its sphere's place in the hierarchy
-    int giant_count, giants[MOST_GIANTS]; // places
 } LightGrid;
 
 // False if there is not enough memory.

@@ -4,57 +4,71 @@
 // cell of a grid in front of the light lists the spheres that it shows. (Haines and Greenberg, 'The
 // Light Buffer', 1986.)
 //
-// A few giants, such as a ground or a sky, would make the grid so large that everything else is in
-// one cell. They are not in it: every ray asks them. A giant is larger than the box around the
-// centers of the others.
+// The giants are not in it: every ray asks them.
 #include "chapters/08-fast/engines/light.h"
 
 #include <stdlib.h>
 
 // Up to this distance from the light, in sizes of the scene, a pixel of its picture is much larger
-// than all rounding errors.
+// than all rounding errors; up to this slope, it is not much longer than wide.
 #define FARTHEST 1e8
+#define STEEPEST 40
+#define NOT_STEEP 2
 
-// The light looks at the middle of a ball around the spheres that are no giants, and must be
-// outside of it. Sets how far rays go aside for each step ahead, and the sum of the squares of
-// radius / distance. False if there is no grid.
-static bool look(LightGrid *grid, const WideHierarchy *wide, Light light, double *slope,
-                 double *squares)
+// If a light looks forward, how far rays to its spheres go aside for each step ahead; infinite if
+// some go back. And the sum of the spheres' areas on the plane at distance 1.
+typedef struct {
+    double slope, area;
+} Sight;
+
+// If the slope is more than enough, it is not finished.
+static Sight sight(const Bins *bins, vec3 forward, double enough)
 {
-    Bins *bins = &grid->bins;
     const Scene *scene = bins->scene;
-    vec3 middle;
-    bins->largest = INFINITY;
-    for (int i = 0; i <= MOST_GIANTS; i++) { // without one giant, others stand out
-        double extent = extent_of(scene, bins->largest, &middle);
-        if (i == MOST_GIANTS || !(extent < bins->largest))
-            break;
-        bins->largest = extent;
+    Sight sight = {0, 0};
+    for (int i = 0; i < scene->sphere_count && sight.slope < enough; i++) {
+        if (bins->numbers[i] >= bins->end)
+            continue;
+        const vec3 c = scene->spheres[i].center - bins->from;
+        const double r = scene->spheres[i].radius, cc = vec3_dot(c, c), distance = sqrt(cc);
+        const double ahead = vec3_dot(c, forward), aside = sqrt(fmax(cc - ahead * ahead, 0));
+        // The ray that touches the sphere on the side farther from the middle.
+        const double tangent = sqrt(cc - r * r), x = aside * tangent + ahead * r;
+        const double y = ahead * tangent - aside * r;
+        const bool seen = distance > 1.001 * r && distance < FARTHEST * r && y > 0;
+        sight.slope = fmax(sight.slope, seen ? x / y : INFINITY);
+        sight.area += r * r * distance / (ahead * ahead * ahead);
     }
-    vec3 towards = middle - light.position;
-    double distance = vec3_length(towards), radius = 0;
-    for (int i = 0; i < scene->sphere_count; i++) {
-        const Sphere *sphere = &scene->spheres[i];
-        if (sphere->radius <= bins->largest) {
-            radius = fmax(radius, vec3_length(sphere->center - middle) + sphere->radius);
-            *squares += pow(sphere->radius / vec3_length(sphere->center - light.position), 2);
-        } else if (grid->giant_count < MOST_GIANTS)
-            grid->giants[grid->giant_count++] = wide->places[i];
-        else
-            return false;
+    return sight;
+}
+
+// The light looks at the middle of the spheres; or along an axis of the world, as a lamp looks at
+// the floor.
+static Sight look(Bins *bins)
+{
+    const Scene *scene = bins->scene;
+    vec3 best = {0}, middle = {0};
+    Sight least = {INFINITY, 0};
+    for (int i = 0; i < scene->sphere_count; i++)
+        if (bins->numbers[i] < bins->end)
+            middle += vec3_unit(scene->spheres[i].center - bins->from);
+    for (int way = 0; way < 7 && least.slope > NOT_STEEP; way++) {
+        vec3 forward = way == 0 ? vec3_unit(middle) : (vec3){0};
+        if (way > 0)
+            forward[way % 3] = way <= 3 ? -1 : 1;
+        const Sight seen = sight(bins, forward, least.slope);
+        if (seen.slope < least.slope) {
+            least = seen;
+            best = forward;
+        }
     }
-    if (light.kind == LIGHT_DISTANT || !(distance > 1.05 * radius && distance < FARTHEST * radius))
-        return false;
-    *slope = 1.001 * radius / sqrt(distance * distance - radius * radius);
-    vec3 forward = towards / distance;
-    vec3 aside = fabs(forward[0]) < 0.6 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0);
-    vec3 right = vec3_unit(vec3_cross(forward, aside));
-    bins->from = light.position;
-    view_store(bins->eye.forward, forward);
+    vec3 aside = fabs(best[0]) < 0.6 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0);
+    vec3 right = vec3_unit(vec3_cross(best, aside));
+    view_store(bins->eye.forward, best);
     view_store(bins->eye.right, right);
-    view_store(bins->eye.up, vec3_cross(right, forward));
+    view_store(bins->eye.up, vec3_cross(right, best));
     bins->eye.margin = 0.5 + ROUNDING; // rays between the pixels' centers
-    return true;
+    return least;
 }
 
 // Near items first. False if there is not enough memory.
@@ -75,11 +89,16 @@ static bool sort_cells(const Bins *bins, long long count)
 
 bool light_grid_build(LightGrid *grid, const Scene *scene, const WideHierarchy *wide, Light light)
 {
-    *grid = (LightGrid){.bins = {.scene = scene, .numbers = wide->places}};
+    *grid = (LightGrid){
+        .bins = {
+            .scene = scene, .numbers = wide->places, .end = wide->giants, .from = light.position}};
     Bins *bins = &grid->bins;
     const int spheres = scene->sphere_count;
-    double slope, squares = 0;
-    if (spheres == 0 || spheres >> ITEM_SPHERE > 0 || !look(grid, wide, light, &slope, &squares))
+    if (wide->giants == 0 || spheres >> ITEM_SPHERE > 0 || light.kind == LIGHT_DISTANT)
+        return true;
+    const Sight seen = look(bins);
+    const double slope = 1.001 * seen.slope;
+    if (!(slope < STEEPEST))
         return true;
     // Few cells for each sphere, and few spheres in each cell: a sphere that is x cells wide is in
     // about (1 + x)^2, which is at most 2 + 2 x^2. With smaller cells, building costs more than the
@@ -87,7 +106,7 @@ bool light_grid_build(LightGrid *grid, const Scene *scene, const WideHierarchy *
     enum { FEWEST = 16, MOST = 1024 };
     const double most = 8.0 * spheres + (1 << 16);
     int columns = (int)fmin(sqrt(32.0 * spheres + (1 << 15)), MOST);
-    while (columns > FEWEST && 2 * (spheres + pow(columns / slope, 2) * squares) > most)
+    while (columns > FEWEST && 2 * (spheres + pow(columns / slope, 2) * seen.area) > most)
         columns /= 2;
     bins->columns = bins->rows = columns;
     bins->eye.width = bins->eye.height = columns * SIDE;

@@ -123,19 +123,19 @@ static bool show(Frustum *frustum, const View *view, const Tile *tile, int spher
 // Spheres ask the tile. After that, nothing farther away than the farthest of its certain hits
 // matters. (An end is t v.v, a distance times |v|: divided by the least |v| it is not less than the
 // distance.)
-static void ask(Frustum *frustum, const View *view, const Tile *tile, const WideLeaf *leaf)
+static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int end)
 {
     bool changed = false;
-    for (int i = leaf->first; i < leaf->first + leaf->count; i++)
+    for (int i = first; i < end; i++)
         changed |= show(frustum, view, tile, i);
     if (!changed)
         return;
-    float end = 0;
+    float last = 0;
     for (int k = 0; k < PACKETS; k++)
-#pragma omp simd reduction(max : end)
+#pragma omp simd reduction(max : last)
         for (int i = 0; i < LANES; i++)
-            end = larger(frustum->packets[k].end[i], end);
-    frustum->farthest = end / frustum->shortest * (float)view->wide->scale;
+            last = larger(frustum->packets[k].end[i], last);
+    frustum->farthest = last / frustum->shortest * (float)view->wide->scale;
 }
 
 // Adds the boxes of a node that the tile enters to the waiting ones, sorted, the nearest last;
@@ -158,17 +158,20 @@ void LANES(walk_frustum)(const View *view, Tile *tile)
     Frustum frustum;
     frustum_begin(&frustum, view, tile);
     Waiting waiting[MOST_WAITING];
+    const WideHierarchy *wide = view->wide;
     int count = 0;
-    if (view->nodes != NULL)
+    ask(&frustum, view, tile, wide->giants, wide->end);
+    if (wide->nodes != NULL)
         waiting[count++] = (Waiting){-INFINITY, 0}; // the root
     while (count > 0) {
         Waiting next = waiting[--count];
         if (next.near > frustum.farthest)
             continue;
+        const WideLeaf *leaf = &wide->leaves[~next.below];
         if (next.below < 0)
-            ask(&frustum, view, tile, &view->wide->leaves[~next.below]);
+            ask(&frustum, view, tile, leaf->first, leaf->first + leaf->count);
         else
-            count = enter(&frustum, &view->wide->nodes[next.below], waiting, count);
+            count = enter(&frustum, &wide->nodes[next.below], waiting, count);
     }
     for (int i = 0; i < PACKETS; i++)
         packet_end(&frustum.packets[i], tile->column + i % TILE_BLOCKS, tile->row + i / TILE_BLOCKS,
