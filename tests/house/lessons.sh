@@ -22,10 +22,11 @@ for lesson in chapters/[0-9]*/README.md; do
     check "the links of $lesson lead somewhere" links_lead_somewhere "$lesson"
     check "the verdicts and hints of $stem have the letters of its lesson" python3 -B tests/house/letters.py "$stem"
 done
-for stem in $(sed -n 's/^= //p' chapters/lessons/lines.txt); do
+sed -n 's/^= //p' chapters/lessons/lines.txt >"$scratch/stems"
+while IFS= read -r stem; do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
-done
+done <"$scratch/stems"
 # What no lesson and no slide says need not be computed.
 names_in_use() {
     "$BUILD/chapters/lessons/numbers" | grep -o '"[A-Za-z0-9_]*": ' | tr -d '": ' >"$scratch/names"
