@@ -123,10 +123,10 @@ test("live figures, by mouse, finger, key and number", async () => {
     // The numbers in the lesson are those of the figure: c is p.p - r^2. The small sphere is missed.
     const follow = (what, wanted) => waitFor(`the numbers in the lesson ${what}`, async () => wanted(await inText()));
     await type("ray-sphere", "center", "0,0,0");
-    await follow("follow", (its) => its.r === "0.25" && its.center === "(0, 0, 0)" && its.c === "16.9375" && its.t0 === "none");
+    await follow("follow", (its) => its.radius === "0.25" && its.center === "(0, 0, 0)" && its.c === "16.9375" && its.t0 === "none");
     await type("ray-sphere", "origin", "-4,-2,0");
     await type("ray-sphere", "radius", "1");
-    await follow("follow a typed origin", (its) => its.p === "(−4, −2, 0)" && its.c === "19" && its.b === "−8.92" && Number(its.t0) > 3 && Number(its.t1) > Number(its.t0));
+    await follow("follow a typed origin", (its) => its.ray_origin === "(−4, −2, 0)" && its.c === "19" && its.b === "−8.92" && Number(its.t0) > 3 && Number(its.t1) > Number(its.t0));
     assert.deepEqual(await seriousFindings(tab), [], "numbers that follow");
 
     // Steps, and back to the lecture's numbers.
