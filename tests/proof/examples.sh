@@ -88,7 +88,8 @@ mkdir -p "$scratch/new/chapters" "$scratch/slides"
 says_on_slides() {
     random_example "$1" >"$scratch/new/chapters/example.h" && random_example "$1" --slides >"$scratch/wanted" &&
         "${CC:-cc}" -std=c11 -D_DEFAULT_SOURCE -Wno-psabi "-I$scratch/new" -I. -o "$scratch/numbers" "$BUILD/chapters/02-cameras/forms.o" \
-            "$BUILD"/chapters/lessons/*numbers.o chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm &&
+            "$BUILD"/chapters/lessons/*numbers.o chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/chapters/shared.a" \
+            "$BUILD/common.a" -lm &&
         "$scratch/numbers" >"$scratch/slides/$1.json" || return 1
     while IFS= read -r line; do
         grep -qF -e "$line" "$scratch/slides/$1.json" || { echo "example $1: no $line"; return 1; }
