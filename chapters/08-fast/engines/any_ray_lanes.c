@@ -304,12 +304,11 @@ static inline int ask_place(const WideHierarchy *wide, int place, const Starts *
 // ray waits for it.
 static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
 {
-    const LightGrid *grid = rays->grid;
-    const Item *items = grid->bins.items;
-    const BinsShare *bins = &grid->bins.shares[0];
+    const Item *items = rays->grid->items;
+    const BinsShare *bins = &rays->grid->shares[0];
     const Item *shown[PATHS], *end[PATHS];
     int cells[PATHS];
-    find_cells(&grid->bins, rays, cells);
+    find_cells(rays->grid, rays, cells);
     for (int i = 0; i < rays->count; i++) {
         shown[i] = &items[cells[i] < 0 ? 0 : bins->begin[cells[i]]];
         end[i] = &items[cells[i] < 0 ? 0 : bins->next[cells[i]]];
@@ -530,7 +529,7 @@ void LANES(nearest_of_many)(const WideHierarchy *wide, const Rays *rays, int *pl
         places[i] = NO_PLACE;
     ask_own(rays, &starts, places);
     ask_giants(wide, rays, &starts, places);
-    if (rays->grid != NULL && rays->grid->bins.items != NULL)
+    if (rays->grid != NULL && rays->grid->items != NULL)
         ask_cells(wide, rays, &starts, places);
     while (wide->nodes == NULL &&
            start_next(&walkers[0], wide, rays, &starts, places, &started)) // there are only giants

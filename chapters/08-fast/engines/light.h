@@ -79,20 +79,16 @@ static inline void put(Vectors *to, int i, Vector v)
 
 // ---- rays from anywhere -----------------------------------------------------------------------
 
-// The scene as a light sees it, without the giants (light_grid.c). It has no cells if the light is
-// distant, surrounded by spheres, or extremely far away.
-typedef struct {
-    Bins bins; // the cells; an item has its sphere's place in the hierarchy
-} LightGrid;
-
-// False if there is not enough memory.
-bool light_grid_build(LightGrid *grid, const Scene *scene, const WideHierarchy *wide, Light light);
+// The scene as a light sees it, without the giants (light_grid.c): an item of a cell has its
+// sphere's place in the hierarchy. There are no cells if the light is distant, surrounded by
+// spheres, or extremely far away. False if there is not enough memory.
+bool light_grid_build(Bins *bins, const Scene *scene, const WideHierarchy *wide, Light light);
 
 // Rays that start anywhere (any_ray_lanes.c).
 typedef struct {
     const Vectors *origin, *direction;
-    const LightGrid *grid; // of the light where they end; NULL: they go on forever
-    bool any;              // any hit suffices, it need not be the nearest
+    const Bins *grid; // of the light where they end; NULL: they go on forever
+    bool any;         // any hit suffices, it need not be the nearest
     int count;
     // The sphere that each ray leaves: its place, or NO_PLACE; and its numbers.
     int left[PATHS];
@@ -122,7 +118,7 @@ struct LightWorld {
     int depth;
     Hierarchy hierarchy;
     WideHierarchy wide;
-    LightGrid *grids; // of each light
+    Bins *grids; // of each light
 };
 
 // Builds the hierarchies and the grids. False if there is not enough memory.

@@ -87,12 +87,10 @@ static bool sort_cells(const Bins *bins, long long count)
     return items != NULL;
 }
 
-bool light_grid_build(LightGrid *grid, const Scene *scene, const WideHierarchy *wide, Light light)
+bool light_grid_build(Bins *bins, const Scene *scene, const WideHierarchy *wide, Light light)
 {
-    *grid = (LightGrid){
-        .bins = {
-            .scene = scene, .numbers = wide->places, .end = wide->giants, .from = light.position}};
-    Bins *bins = &grid->bins;
+    *bins = (Bins){
+        .scene = scene, .numbers = wide->places, .end = wide->giants, .from = light.position};
     const int spheres = scene->sphere_count;
     if (wide->giants == 0 || spheres >> ITEM_SPHERE > 0 || light.kind == LIGHT_DISTANT)
         return true;
@@ -115,6 +113,6 @@ bool light_grid_build(LightGrid *grid, const Scene *scene, const WideHierarchy *
     if ((double)count <= 2 * most)
         return count >= 0 && bins_fill(bins, count) && sort_cells(bins, count);
     bins_free(bins);
-    *grid = (LightGrid){.bins = {.scene = scene}}; // too many for their memory to be worth it
+    *bins = (Bins){.scene = scene}; // too many for their memory to be worth it
     return true;
 }

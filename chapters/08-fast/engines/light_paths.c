@@ -103,7 +103,7 @@ void light_world_free(LightWorld *world)
     hierarchy_free(&world->hierarchy);
     wide_free(&world->wide);
     for (int i = 0; world->grids != NULL && i < world->scene->light_count; i++)
-        bins_free(&world->grids[i].bins);
+        bins_free(&world->grids[i]);
     free(world->grids);
 }
 
@@ -226,7 +226,7 @@ static void find_light(LightPaths *all, int number)
     const Paths *paths = &all->paths;
     const LightWorld *world = all->world;
     const Light light = world->scene->lights[number];
-    const LightGrid *grid = light.kind == LIGHT_DISTANT ? NULL : &world->grids[number];
+    const Bins *grid = light.kind == LIGHT_DISTANT ? NULL : &world->grids[number];
     double *lit = all->lit + number * PATHS;
     Rays rays = {&paths->start, &all->directions, grid,         true, paths->count,
                  {0},           &paths->center,   paths->radius};

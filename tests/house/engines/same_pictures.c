@@ -183,7 +183,7 @@ static void compare_shadows(const char *name, const LightWorld *world)
     for (int light = 0; light < scene->light_count; light++) {
         vec3 from = scene->lights[light].position;
         int wrong = 0;
-        for (int i = 0; i < scene->sphere_count && world->grids[light].bins.items != NULL;
+        for (int i = 0; i < scene->sphere_count && world->grids[light].items != NULL;
              i += 1 + scene->sphere_count / MOST_TOUCHED)
             // If the light is inside, no ray touches the sphere.
             if (vec3_length(scene->spheres[i].center - from) >= 1.02 * scene->spheres[i].radius)
