@@ -77,15 +77,6 @@ class Drawing:
         path = self.home(picture.name) / f"{picture.output}.{picture.format}"
         return is_newer(path, self.drawn / f"{picture.name}.gp", *SOURCES)
 
-    def counted_too_many(self, before):
-        """Behind long blocks in braces gnuplot counts lines that are not there: how many in this part of a script."""
-        part = self.work / "part.gp"
-        part.write_text("\n".join([*before, "print no_such_number"]), encoding="utf-8")
-        _, said = run(["gnuplot", "-d", "-e", "format='txt'; theme='light'; shape='16:9'; output='part'; step=1", part.name],
-                      self.work)
-        counted = re.search(rb"\bline (\d+): ", said)
-        return int(counted[1]) - len(before) - 1 if counted else 0
-
     def complaint(self, name, said):
         """gnuplot's messages, with the lines of the layout: gnuplot counts those of the script. For a command on
         several lines it names the last line and a place in it: the text of that place is shown."""
@@ -93,7 +84,6 @@ class Drawing:
         lines = script.read_text(encoding="utf-8").split("\n")
         layout = re.search(r'^layout_file = "([^"]*)', "\n".join(lines[:3]), re.MULTILINE)
         first = lines.index("# ---- the layout") + 1 if "# ---- the layout" in lines else 0
-        first += self.counted_too_many(lines[:first])
         found, near, before = "", "", ""
         for line in said.split("\n"):
             message = re.search(r"\bline (\d+): (.*)", line)

@@ -111,8 +111,8 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
             plot->paragraphs, plot->paragraphs + 1, plot->paragraphs + 1, strip);
     free(strip);
     own_words_define(out);
-    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included, data,
-            layout);
+    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s\n@legend\n" LAYOUT "\n%s\n@finish\n", head, included,
+            data, layout);
     free(included);
     free(data);
 }

@@ -165,7 +165,7 @@ class Figure:
     def placed(self):
         """What C has placed on this canvas (common/figure/plot_view.c)."""
         which = "eq" if self.width == 720 else "ne"
-        return re.search(rf'^if \(shape {which} "4:3"\) {{\n(.*?)^}}$', self.script, re.M | re.S).group(1)
+        return "\n".join(re.findall(rf'^if \(shape {which} "4:3"\) (.*)', self.script, re.M))
 
     def chosen(self, name):
         """A number of that."""
