@@ -10,7 +10,7 @@ import { toolsOf } from "../../../chapters/book/tools.js";
 export const opened = (path) => path.endsWith(".gz") ? gunzipSync(readFileSync(path))
     : path.endsWith(".xz") ? execFileSync("xz", ["-dc", path], { maxBuffer: 1 << 28 }) : readFileSync(path);
 
-/** Of a site: tools, and newJudge(records), a judge that also knows these earlier records. */
+/** Of a site: tools, and newJudge(), a judge of a student who has answered nothing yet. */
 export async function openSite(site) {
     const compiler = await load({ fetchBytes: async (name) => new Uint8Array(readFileSync(join(site, name))) });
     const pictures = unpack(opened(join(site, "pictures.pack.gz"))), tools = toolsOf(compiler, pictures);
@@ -19,5 +19,5 @@ export async function openSite(site) {
     const json = (name) => existsSync(join(site, name)) ? Object.entries(JSON.parse(readFileSync(join(site, name), "utf8"))) : [];
     const tables = readdirSync(join(site, "tables")).map((name) => [`tables/${name.slice(0, -3)}`, opened(join(site, "tables", name))]);
     const files = [...json("tree/files.json"), ...json("figures/files.json"), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path)), ...tables];
-    return { tools, newJudge: (records = []) => createJudge({ modules, files: new Map([...files, ...records]), compile: tools.compile, link: tools.linkAnswer }) };
+    return { tools, newJudge: () => createJudge({ modules, files: new Map(files), compile: tools.compile, link: tools.linkAnswer }) };
 }

@@ -16,12 +16,11 @@ const stems = readdirSync("solutions").filter((name) => /^0[1-7]-.*\.c$/.test(na
 
 // ---- in node ---------------------------------------------------------------------------------------
 
-const { tools, newJudge } = await openSite(process.argv[2]), sources = {}, records = new Map();
+const { tools, newJudge } = await openSite(process.argv[2]), sources = {}, judge = newJudge();
 
-async function verdictHere(judge, stem, text) {
+async function verdictHere(stem, text) {
     sources[stem] = text;
     const verdict = await judge.draw({ stem, sources, web: true }, async (words, all) => tools.link(words, all));
-    records.set(`build/exercises/verdict/${stem}.record`, verdict.record);
     return { record: verdict.record, words: partsOf(verdict.text).filter(({ kind, words }) => !["hint", "compiler"].includes(kind) && !/~.*, /.test(words)).map(({ words }) => words) };
 }
 
@@ -42,12 +41,12 @@ const { openPage } = await begin();
 test("a wrong answer to each function has the verdict of node", async () => {
     const tab = await openPage("index.html");
     for (const stem of stems) {
-        const solution = readFileSync(`solutions/${stem}.c`, "utf8"), judge = newJudge(records);
+        const solution = readFileSync(`solutions/${stem}.c`, "utf8");
         const names = readFileSync(`build/answer_names/${stem}`, "utf8").trim().split("\n").map((line) => line.split(" ")[0]);
         await tab.visit(`${stem}.html`);
         for (const name of names) {
             const text = wrong(solution, name);
-            const wanted = await verdictHere(judge, stem, text);
+            const wanted = await verdictHere(stem, text);
             await replaceText(tab, text, { judge: true });
             await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict[data-result]") !== null &&
                 !document.querySelector("#verdict").classList.contains("old") && /judged/.test(document.querySelector("#state").textContent))); // with its pictures
